@@ -43,7 +43,7 @@ public:
         phases_(stiffness_.owners()),
         place_(structure.size),
         compliance_(find_points()),
-        contact_columns_(structure, {Role::stiffness, Role::friction, Role::multiplier},
+        contact_columns_(structure, {Role::stiffness, Role::rigid},
                          {Role::multiplier, Role::friction, Role::rigid}),
         slow_rows_(structure, {Role::evolution, Role::memory},
                    {Role::stiffness, Role::multiplier, Role::friction, Role::rigid}),
@@ -63,9 +63,6 @@ public:
   }
   int set_up(bool) override {
     stiffness_.gather(J_);
-    // As in the compliance core: contact may be what holds a body.
-    constexpr double soft = 1e-7;
-    if (is_singular_) stiffness_.add_soft_springs(soft);
     const int factorizations = stiffness_.set_up("the stiffness of the body");
     compliance_.clear();
     update();
@@ -283,7 +280,10 @@ private:
   void solve_open(std::span<double> s, std::span<double> z) const {
     for (const Phase& phase : phases_)
       for (const int i : phase.all_y)
-        if (place_[i].number < 0) z[i] = s[i] / at(i, i);
+        if (place_[i].number < 0) {
+          const double own = at(i, i);
+          z[i] = own == 0 ? s[i] : s[i] / own;
+        }
     contact_columns_.subtract(J_, z, s);
   }
 
@@ -331,7 +331,6 @@ private:
   std::vector<Place> place_;  // by unknown
   std::vector<int> slow_;     // all unknowns g
   ContactCompliance compliance_;
-  bool is_singular_ = false;
   std::vector<int> touched_;  // points that are closed in any phase
   std::vector<int> g_;        // those of slow_ at touched points
   std::vector<std::vector<int>> phase_u_;

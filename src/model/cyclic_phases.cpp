@@ -129,16 +129,32 @@ std::vector<Phase<dim>> phases_of(const CyclicContact<dim>& cycle, const Counter
 }
 
 template <int dim>
+std::vector<Phase<dim>> path_phases(const std::vector<CyclePoint>& ends,
+                                    const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
+                                    std::optional<double> force) {
+  std::vector<Phase<dim>> phases;
+  for (std::size_t p = 0; p < ends.size(); ++p) {
+    const double after = ends[(p + 1) % ends.size()].weight;
+    phases.push_back(
+        phase_at({ends[p].position, (ends[p].weight + after) / 2}, motion, rest, force));
+    phases.back().interval = ends[p].weight;
+  }
+  return phases;
+}
+
+template std::vector<Phase<2>> path_phases(const std::vector<CyclePoint>&, const CyclicMotion<2>&,
+                                           const CounterBody<2>&, std::optional<double>);
+template std::vector<Phase<3>> path_phases(const std::vector<CyclePoint>&, const CyclicMotion<3>&,
+                                           const CounterBody<3>&, std::optional<double>);
+
+template <int dim>
 Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
                        const Phase<dim>& phase, const Vector<dim>& X) {
   Vector<dim> carried = phase.counter_body.position - rest.position;
   if (!motion.cycle.rotation) return carried;
+  // The surface slides by along a node that stays where it is: by the arc, not by its chord.
   const Vector<dim> arm = X - rest.position - motion.axis.centre;
-  const Turning<dim> turned{.spin = motion.axis.spin,
-                            .centre = motion.axis.centre,
-                            .rate = 0,
-                            .start = motion.cycle.rotation->value(phase.position)};
-  return carried + turned.rotation(0) * arm - arm;
+  return carried + motion.cycle.rotation->value(phase.position) * (motion.axis.spin * arm);
 }
 
 template Vector<2> carried_by(const CyclicMotion<2>&, const CounterBody<2>&, const Phase<2>&,

@@ -140,9 +140,10 @@ std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
   auto next = std::make_shared<WearModel>(
       with_surface<dim>(assembly(), boundary_within(reach, *others_, equations_, values, state.t)));
   State start{state.t, std::vector<double>(next->system().structure().size), {}};
-  next->system().numbering().gather(
-      moved(*equations_.composition()->fields, values, *next->equations_.composition()->fields),
-      start.y);
+  FieldValues<dim> with_joined =
+      moved(*equations_.composition()->fields, values, *next->equations_.composition()->fields);
+  if (assembly().interface.sticks) next->remember_joined(assembly(), state.t, with_joined);
+  next->system().numbering().gather(with_joined, start.y);
   // Where no shorter step was found, it is inside of the counter-body.
   Counters counters;
   if (const std::string reason = AlgebraicSolver(next->system(), counters).solve(state.t, start.y);
@@ -150,6 +151,20 @@ std::optional<Succession> WearModel<dim>::succeed(const State& state) const {
     throw SolutionError("no equilibrium with the boundary that joins the contact: " + reason);
   set_rates(next->system(), nullptr, start);
   return Succession{std::move(next), std::move(start)};
+}
+
+template <int dim>
+void WearModel<dim>::remember_joined(const Assembly<dim>& before, double t,
+                                     FieldValues<dim>& values) const {
+  const NodalField<dim> places =
+      equations_.places(system(), values, t, equations_.phases().size() - 1);
+  NodalField<dim>& memory = values.vector(equations_.fields().memory);
+  for (std::size_t c = 0; c < assembly().contact_nodes.size(); ++c) {
+    const int node = assembly().contact_nodes[c].node;
+    const auto at = static_cast<std::size_t>(before.contact_node(node));
+    const bool known = at < before.contact_nodes.size() && before.contact_nodes[at].node == node;
+    if (const auto row = static_cast<Eigen::Index>(c); !known) memory.row(row) = places.row(row);
+  }
 }
 
 template <int dim>

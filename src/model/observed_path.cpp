@@ -1,4 +1,5 @@
 // What a path shows beside other cycles: friction, slip and the fretting loop.
+#include <algorithm>
 #include <gnomon/base/processes.hpp>
 #include <gnomon/model/wear_model.hpp>
 
@@ -23,6 +24,7 @@ void WearModel<dim>::add_path(const FieldValues<dim>& values, double t, std::siz
     append<dim>(surface.phase_slip, node.slip);
     force -= assembly().copies * node.force;
   }
+  for (int i = 0; i < dim; ++i) force[i] = sum_over_processes(force[i]);
   const CounterBody<dim>& other = equations_.phases()[p].counter_body;
   const PartnerMotion<> q = equations_.partner_motion(values, t, p);
   Vector<dim> place = other.position - assembly().interface.partner.position;
@@ -56,8 +58,10 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
     result.path = std::max(result.path, path);
   }
   result.path = largest_over_processes(result.path);
+  constexpr double rounding = 1e-9;
+  const double least = rounding * assembly.interface.friction * assembly.scales.displacement;
   for (std::size_t k = 0; k < paths.size(); ++k)
-    if (paths[k] <= creeping * result.path) result.stick_area += areas[k];
+    if (paths[k] <= std::max(creeping * result.path, least)) result.stick_area += areas[k];
   return {sum_over_processes(result.work), result.path, sum_over_processes(result.stick_area)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
@@ -35,11 +36,28 @@ struct PathMarch<dim>::Alone {
   }
 };
 
+namespace {
+
+/// With a part of the forces along all guides but the first.
+template <int dim>
+Phase<dim> with_tangential(Phase<dim> phase, double part) {
+  std::vector<Guide<dim>>& guides = phase.counter_body.guides;
+  for (std::size_t k = 1; k < guides.size(); ++k)
+    if (guides[k].force) *guides[k].force *= part;
+  if (part == 0 && !guides.empty() && phase.force)
+    phase.counter_body.come_along(guides.front().along);
+  return phase;
+}
+
+}  // namespace
+
+/// What presses grows first; then the other forces where the path begins.
 template <int dim>
 void PathMarch<dim>::load() {
   constexpr double increment = 0.1;
   const Phase<dim>& begin = whole_.phases().back();
-  Alone alone(*this, begin);
+  const Phase<dim> pressed = with_tangential(begin, 0);
+  Alone alone(*this, pressed);
   RampOptions options = ramp_options(whole_.assembly());
   options.first = std::min(options.first, increment);
   options.largest = increment;
@@ -48,6 +66,7 @@ void PathMarch<dim>::load() {
                        [&alone](std::span<const double> y) { alone.remember(alone.places(y)); });
   if (ramp.reached < 1) throw SolutionError(failure_of(ramp, whole_.assembly(), begin));
   keep(alone, begin);
+  advance([&begin](double part) { return with_tangential(begin, part); });
 }
 
 template <int dim>
@@ -69,18 +88,30 @@ void PathMarch<dim>::keep(const Alone& alone, const Phase<dim>& phase) {
   last_.place = alone.equations.places(alone.system, alone.values, t_);
 }
 
+/// To the last of the phases on the way.
 template <int dim>
-void PathMarch<dim>::follow(std::size_t p) {
-  const Phase<dim>& phase = whole_.phases()[p];
+void PathMarch<dim>::advance(const OnTheWay& on_the_way) {
+  const Phase<dim> phase = on_the_way(1);
   Alone alone(*this, phase);
   guess(alone, phase);
   std::string reason;
-  if (!solve(alone, reason) && !by_halves(alone, phase, reason))
+  if (!solve(alone, reason) && !by_halves(alone, on_the_way, reason))
     throw SolutionError(
-        fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}: {}; a "
-                    "tangential force that friction does not balance has none",
+        fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}; a "
+                    "tangential force that friction does not balance has none: {}",
                     phase.position, reason));
   keep(alone, phase);
+}
+
+template <int dim>
+void PathMarch<dim>::follow(std::size_t p) {
+  const Phase<dim>& phase = whole_.phases()[p];
+  const Assembly<dim>& assembly = whole_.assembly();
+  advance([&](double part) {
+    if (part == 1) return phase;
+    return phase_at({phase.position - phase.interval * (1 - part), phase.weight},
+                    assembly.cycle->motion, assembly.interface.partner, assembly.interface.force);
+  });
   const WornBodyFields& to = whole_.fields(p);
   values_.vector(to.u) = last_.u;
   values_.vector(to.traction) = last_.traction;
@@ -122,27 +153,25 @@ bool PathMarch<dim>::solve(Alone& alone, std::string& reason) {
 
 /// Guesses from phases on the way, all after the last one.
 template <int dim>
-bool PathMarch<dim>::by_halves(Alone& target, const Phase<dim>& phase, std::string& reason) {
+bool PathMarch<dim>::by_halves(Alone& target, const OnTheWay& on_the_way, std::string& reason) {
   constexpr int most_halvings = 6;
-  const Assembly<dim>& assembly = whole_.assembly();
   for (int halvings = 1; halvings <= most_halvings; ++halvings) {
     const int parts = 1 << halvings;
-    FieldValues<dim> on_the_way = target.values;
+    FieldValues<dim> known = target.values;
     bool found = true;
     for (int k = 1; found && k <= parts; ++k) {
-      const double tau = phase.position - phase.weight * (1 - double(k) / parts);
-      Alone step(*this, phase_at({tau, phase.weight}, assembly.cycle->motion,
-                                 assembly.interface.partner, assembly.interface.force));
+      const Phase<dim> phase = on_the_way(double(k) / parts);
+      Alone step(*this, phase);
       if (k == 1)
-        guess(step, step.equations.phases().front());
+        guess(step, phase);
       else
-        step.values = on_the_way;
+        step.values = known;
       step.remember(last_.place);
       found = solve(step, reason);
-      on_the_way = step.values;
+      known = step.values;
     }
     if (!found) continue;
-    target.values = on_the_way;
+    target.values = known;
     return true;
   }
   return false;
@@ -160,13 +189,12 @@ FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters
 
 template <int dim>
 std::vector<Phase<dim>> halved(const Assembly<dim>& assembly) {
-  std::vector<Phase<dim>> result;
+  std::vector<CyclePoint> ends;
   for (const Phase<dim>& phase : assembly.phases)
     for (const double back : {0.5, 0.0})
-      result.push_back(phase_at({phase.position - back * phase.weight, phase.weight / 2},
-                                assembly.cycle->motion, assembly.interface.partner,
-                                assembly.interface.force));
-  return result;
+      ends.push_back({phase.position - back * phase.interval, phase.interval / 2});
+  return path_phases(ends, assembly.cycle->motion, assembly.interface.partner,
+                     assembly.interface.force);
 }
 
 template class PathMarch<2>;

@@ -2,6 +2,7 @@
 // (docs/fretting.md).
 #pragma once
 
+#include <functional>
 #include <gnomon/base/counters.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <string>
@@ -21,12 +22,12 @@ public:
     NodalField<dim> carried;  ///< c, of every contact node
   };
 
-  /// The path of these equations, at the shape and time of `values`; both must outlive the march.
+  /// The path of these equations, at this shape and time; equations and counters must outlive it.
   PathMarch(const WornBodyEquations<dim>& equations, const FieldValues<dim>& shape, double t,
             Counters& counters)
       : whole_(equations), t_(t), counters_(counters), values_(shape) {}
 
-  /// The load grows at the begin of the path.
+  /// Loads and what presses grow where the path begins, then its other forces.
   void load();
   void go_on_from(Last last) { last_ = std::move(last); }
   /// The values of all fields over the next cycle, with the memory at its begin.
@@ -35,10 +36,13 @@ public:
 private:
   struct Alone;
   void keep(const Alone& alone, const Phase<dim>& phase);
+  /// Phases from the last one, at part 0, to the next one, at part 1.
+  using OnTheWay = std::function<Phase<dim>(double part)>;
+  void advance(const OnTheWay& on_the_way);
   void follow(std::size_t phase);
   void guess(Alone& alone, const Phase<dim>& phase) const;
   bool solve(Alone& alone, std::string& reason);
-  bool by_halves(Alone& target, const Phase<dim>& phase, std::string& reason);
+  bool by_halves(Alone& target, const OnTheWay& on_the_way, std::string& reason);
 
   const WornBodyEquations<dim>& whole_;
   double t_;

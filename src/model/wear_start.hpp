@@ -57,9 +57,9 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
                             Counters& counters,
                             const std::function<void(std::span<const double> y)>& passed = {});
 
-/// Values of all fields at the begin of the third cycle of a path, at the initial shape
-/// (docs/fretting.md): the load grows at the begin of the path, and two cycles follow, phase by
-/// phase. Throws SolutionError.
+/// Values of all fields over the second cycle of a path, with the memory at its beginning, at the
+/// initial shape (docs/fretting.md): the load grows where the path begins, and two cycles follow,
+/// phase by phase. Throws SolutionError.
 template <int dim>
 FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters& counters);
 

@@ -145,7 +145,8 @@ StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nomina
                         .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
                         .is_last = p + 1 == phases_.size(),
                         .rho = assembly_->interface.rho,
-                        .interval = phases_[p].weight * period,
+                        .interval = phases_[p].interval * period,
+                        .share = phases_[p].interval / phases_[p].weight,
                         .period = period};
   if (p == 0) return state;
   state.u_before = fields_[p - 1].u;

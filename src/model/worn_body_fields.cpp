@@ -86,13 +86,13 @@ template <int dim>
 double slip_scale(const Assembly<dim>& body, const std::vector<Phase<dim>>& phases,
                   const Scales& scales) {
   double range = 0;
-  const CyclicMotion<dim>& motion = body.cycle->motion;
-  const Vector<dim> X = body.contact_nodes.front().initial_position;
-  const auto carried = [&](const Phase<dim>& phase) {
-    return carried_by(motion, body.interface.partner, phase, X);
-  };
-  for (const Phase<dim>& phase : phases)
-    range = std::max(range, (carried(phase) - carried(phases.front())).norm());
+  for (const ContactPatch<dim>& patch : body.contact_nodes) {
+    const auto carried = [&](const Phase<dim>& phase) {
+      return carried_by(body.cycle->motion, body.interface.partner, phase, patch.initial_position);
+    };
+    for (const Phase<dim>& phase : phases)
+      range = std::max(range, (carried(phase) - carried(phases.front())).norm());
+  }
   return range > 0 ? range : std::max(body.interface.friction, 1e-3) * scales.displacement;
 }
 
@@ -164,6 +164,10 @@ void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
                                .role = Role::friction,
                                .owner = static_cast<int>(p)});
     Field traction = contact_vectors(*assembly_, "friction_multiplier", block);
+    for (std::size_t c = 0; c < traction.node.size(); ++c)  // held by what holds the node
+      for (int i = 0; i < dim; ++i)
+        if (assembly_->supports.held(traction.node[c], i))
+          traction.block(static_cast<Eigen::Index>(c), i) = -1;
     traction.row_scale.setConstant(scales.displacement);
     traction.unknown_scale.setConstant(scales.stress);
     fields_[p].traction = set.add(std::move(traction));

@@ -56,9 +56,12 @@ std::vector<std::optional<CycleFunction>> read_forces_of_guides(const Scene& sce
   for (const Guide<dim>& guide : other.guides) {
     const std::string key = guide.key + ".cycle";
     forces.push_back(guide.key.empty() ? std::nullopt : read_cycle_function(scene, key));
-    if (forces.back() && !guide.force)
+    if (!forces.back()) continue;
+    if (!guide.force || guide.turns())
       throw InputError(scene.where(key) + ": expected also " + guide.key +
                        ".force, which it multiplies");
+    if (!scene.flag("friction.stick"))
+      throw InputError(scene.where(key) + ": expected friction.stick = true beside it");
   }
   return forces;
 }
@@ -76,7 +79,12 @@ template <int dim>
 std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene,
                                                  const CounterBody<dim>& other) {
   std::optional<Cycle> cycle = read_cycle(scene);
-  if (!cycle) return {};
+  if (!cycle) {
+    for (const Guide<dim>& guide : other.guides)
+      if (const std::string key = guide.key + ".cycle"; !guide.key.empty() && scene.given(key))
+        throw InputError(scene.where(key) + ": expected also cycle.period");
+    return {};
+  }
   if (other.turning)
     throw InputError(scene.where("counter_body.motion.rotation") +
                      ": expected cycle.rotation instead in a scene with a cycle, because the shape "

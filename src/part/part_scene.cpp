@@ -272,10 +272,12 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   }
   if (parts.interface.sticks) {
     require_path(scene, parts);
+    AssemblyParts<dim> slow = parts;
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
-      parts.interface.speed = speed_on_path(parts, magnitudes);
-      magnitudes = find_magnitudes(scene, parts);
+      slow.interface.speed = speed_on_path(slow, magnitudes);
+      magnitudes = find_magnitudes(scene, slow);
     }
+    if (*parts.interface.speed == 0) parts.interface.speed = slow.interface.speed;
     parts.scales = magnitudes.scales;
   }
   if (parts.pairs.empty())

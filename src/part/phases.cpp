@@ -14,15 +14,6 @@ namespace gnomon::part {
 
 namespace {
 
-template <int dim>
-void require_force(const Scene& scene, const Phase<dim>& phase, double largest) {
-  if (!(*phase.force >= 1e-6 * largest))
-    throw InputError(fmt::format(
-        "{}: expected a force above zero (1e-6 of the largest or more) in every phase, got {:g} at "
-        "tau = {:g}: without a force the place of the counter-body is not determined",
-        scene.where("cycle.force"), *phase.force, phase.position));
-}
-
 /// Where the speed at the reference is zero and changes its sign, |v| has a kink.
 template <int dim>
 std::vector<double> reversals(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest) {
@@ -69,6 +60,19 @@ std::string remark_on_lift(const std::vector<Phase<dim>>& phases) {
 }  // namespace
 
 template <int dim>
+void require_forces(const Scene& scene, const std::vector<Phase<dim>>& phases,
+                    const std::string& press, std::optional<double> largest) {
+  constexpr double least = 1e-6;
+  for (const Phase<dim>& phase : phases)
+    if (largest && !(phase.force.value_or(0) >= least * *largest))
+      throw InputError(fmt::format(
+          "{}: expected a force above zero (1e-6 of the largest or more) in every phase, got {:g} "
+          "at tau = {:g}: without a force the place of the counter-body is not determined",
+          scene.where(scene.given("cycle.force") ? "cycle.force" : press + ".cycle"), *phase.force,
+          phase.position));
+}
+
+template <int dim>
 Eigen::Matrix<double, dim + 1, 1> surface_velocity(const CyclicMotion<dim>& motion,
                                                    const CounterBody<dim>& rest, double tau) {
   return sliding_velocity(phase_at<dim>({.position = tau}, motion, rest, {}));
@@ -90,8 +94,7 @@ ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
   for (const BodyCycle<dim>& body : motion.bodies)
     for (const std::string& remark : body.cycle.remarks())
       result.remarks.push_back(fmt::format("[[motion]] of \"{}\": {}", body.name, remark));
-  if (motion.cycle.force)
-    for (const Phase<dim>& phase : result.phases) require_force(scene, phase, *force);
+  if (motion.cycle.force) require_forces(scene, result.phases, "", force);
   const double error =
       error_of_motion(result.phases, phases_of(contact, rest, force, {PhaseSet::Kind::fine}));
   for (const std::string& remark :
@@ -133,6 +136,10 @@ template Eigen::Matrix<double, 3, 1> surface_velocity(const CyclicMotion<2>&, co
                                                       double);
 template Eigen::Matrix<double, 4, 1> surface_velocity(const CyclicMotion<3>&, const CounterBody<3>&,
                                                       double);
+template void require_forces(const Scene&, const std::vector<Phase<2>>&, const std::string&,
+                             std::optional<double>);
+template void require_forces(const Scene&, const std::vector<Phase<3>>&, const std::string&,
+                             std::optional<double>);
 template double mean_speed(const CyclicMotion<2>&, const CounterBody<2>&);
 template double mean_speed(const CyclicMotion<3>&, const CounterBody<3>&);
 

@@ -21,6 +21,12 @@ template <int dim>
 ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
                             const CounterBody<dim>& rest, std::optional<double> force);
 
+/// Refuses phases in which nothing presses a counter-body that a force presses at `largest`, by
+/// cycle.force or the table `press`.
+template <int dim>
+void require_forces(const Scene& scene, const std::vector<Phase<dim>>& phases,
+                    const std::string& press, std::optional<double> largest);
+
 /// The parts `with` a number of phases that fits the tolerance of the scene (phase_tolerance()) at
 /// the initial shape; a remark says which. Where the deformation is not found, the fewest.
 template <int dim>

@@ -7,6 +7,7 @@
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/wear_model.hpp>
+#include <gnomon/model/wear_scene.hpp>
 
 namespace gnomon::part {
 
@@ -43,7 +44,6 @@ std::vector<double> extremes_of(const CyclicMotion<dim>& motion) {
 
 /// The number of phases, or given positions as extremes.
 std::vector<CyclePoint> points_of(const Scene& scene, std::vector<double> extremes) {
-  const CycleQuadrature given = read_cycle_quadrature(scene, extremes);
   const std::vector<double>& phases = scene.reals("cycle.phases");
   if (phases.size() == 1 && phases[0] >= 1)
     return path_points(static_cast<int>(phases[0]), extremes);
@@ -57,20 +57,34 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
                           const CounterBody<dim>& rest, std::optional<double> force) {
   if (motion.axis.meridian)
     refuse(scene, "no cycle.rotation in an axisymmetric scene: a path stays in the plane");
-  if (const auto& rotation = motion.cycle.rotation; rotation && std::abs(rotation->gap()) > 1e-9)
+  constexpr double rounding = 1e-6;
+  if (const auto& rotation = motion.cycle.rotation;
+      rotation && std::abs(rotation->gap()) > rounding)
     refuse(scene, "a rotation that ends where it begins, not whole turns");
   if (dim == 2 && motion.cycle.displacement[2])
     refuse(scene, "no cycle.z beside it: in plane strain a path stays in the plane");
   if (rest.motion.velocity.norm() + rest.motion.spin.norm() + std::abs(rest.motion.across) > 0)
     refuse(scene, "no counter_body.motion beside it: a steady motion does not stick");
+  for (std::size_t k = 1; k < rest.guides.size(); ++k)
+    for (int i = 0; i < dim; ++i)
+      if (rest.guides[k].force && rest.guides[k].along[i] != 0 && motion.cycle.displacement[i])
+        refuse(scene,
+               fmt::format("no displacement over the cycle along {}.direction, where a force "
+                           "moves the counter-body",
+                           rest.guides[k].key));
   if (std::ranges::any_of(rest.guides, &Guide<dim>::turns))
     refuse(scene, "no moment in [[counter_body.press]] beside it");
   if (const std::vector<std::string> open = motion.cycle.remarks(); !open.empty())
     refuse(scene, "a motion that ends where it begins; " + open.front());
   const std::vector<double> extremes = extremes_of(motion);
   ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
-  for (const CyclePoint& point : points_of(scene, extremes))
-    result.phases.push_back(phase_at(point, motion, rest, force));
+  result.phases = path_phases(points_of(scene, extremes), motion, rest, force);
+  require_forces(scene, result.phases, rest.guides.empty() ? "" : rest.guides.front().key, force);
+  const auto asked = static_cast<double>(result.phases.size());
+  if (scene.reals("cycle.phases").size() == 1 && asked > 2 * scene.reals("cycle.phases")[0])
+    result.remarks.push_back(
+        fmt::format("cycle.phases: {} phases, since all corners and extremes of the cycle are some",
+                    result.phases.size()));
   return result;
 }
 
@@ -106,7 +120,8 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
     return carried_by(parts.cycle->motion, partner, phase, touched);
   };
   for (const Phase<dim>& phase : parts.phases)
-    stroke = std::max(stroke, (carried(phase) - carried(parts.phases.front())).norm());
+    for (const Phase<dim>& other : parts.phases)
+      stroke = std::max(stroke, (carried(phase) - carried(other)).norm());
   const double given = *parts.interface.speed;
   if (stroke > 2 * shear) return given;
   const double most = 4 * slipping * shear / period,
@@ -145,6 +160,9 @@ void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (!parts.cycle) refuse(scene, "also [cycle]: what sticks is driven to and fro");
   if (!parts.pairs.empty()) refuse(scene, "a counter-body, and no [[pair]] beside it");
   require_damping(scene);
+  if (*parts.interface.speed == 0 && reads_in_rates(scene, "s"))
+    throw InputError(scene.where("wear.rate") +
+                     ": expected no sliding distance s, or also wear.velocity: no motion gives it");
   if (!(parts.interface.friction > 0))
     throw InputError(scene.where("friction.coefficient") +
                      ": expected a coefficient above zero beside friction.stick");

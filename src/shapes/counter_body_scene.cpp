@@ -189,14 +189,16 @@ std::vector<std::string> press_tables(const Scene& scene) {
   return {tables.begin(), tables.end()};
 }
 
-/// A motion of the free guides that leaves the surface where it is would be determined by nothing.
+/// A motion of the free guides that leaves the surface where it is would be determined by nothing,
+/// but for friction that sticks.
 template <int dim>
 void require_determined(const Scene& scene, const CounterBody<dim>& body) {
   std::vector<const Guide<dim>*> free;
   for (const Guide<dim>& guide : body.guides)
     if (guide.force) free.push_back(&guide);
   const auto count = static_cast<Eigen::Index>(free.size());
-  if (count < 2) return;
+  const bool sticks = scene.knows("friction.stick") && scene.flag("friction.stick");
+  if (count < 2 || sticks) return;
   Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(count, count);
   const double reach = body.shape.reach(), arm = reach > 0 ? reach : 1;
   visit_surface<dim>(

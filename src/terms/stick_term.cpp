@@ -55,7 +55,7 @@ StickTerm<dim>::StickTerm(const StickState<dim>& state, FieldId d, const Numberi
       traction_numbers_(numbering.nodal<dim>(state.traction)),
       memory_numbers_(numbering.nodal<dim>(state.memory)) {
   const ContactState<dim>& contact = state.contact;
-  surfaces_.assign(contact.laws.size(), {contact.parameters, state.rho, state.interval,
+  surfaces_.assign(contact.laws.size(), {contact.parameters, state.rho, state.interval, state.share,
                                          d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0});
   for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].contact.wear = contact.laws[k];
   if (!is_first()) before_numbers_ = numbering.nodal<dim>(state.u_before);

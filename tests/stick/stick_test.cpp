@@ -22,9 +22,7 @@ TEST_F(Fretting, NothingWearsBelowIncipientSliding) {
   EXPECT_LT(std::abs(observed(*model, run.last(), "worn_volume")), 1e-15);
 }
 
-/// The force of friction over the place of the counter-body is a parallelogram: f P slides by twice
-/// the slip that is left, there and back.
-/// About a centre that is far away, a rotation is a displacement.
+/// A rotation slips by the arcs of the surface.
 TEST_F(Fretting, ARotationSlipsAsItsArcs) {
   const auto model =
       this->model(bed("rotation = \"1e-3 * sin(2*pi*tau)\""),
@@ -35,8 +33,55 @@ TEST_F(Fretting, ARotationSlipsAsItsArcs) {
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / (4e-9 * 20 * slip * 1e6), 1, 1e-3);
 }
 
+/// A cylinder that swings by a radian about its axis slides by the arcs, whatever the phases are.
+TEST_F(Fretting, ASwingingCylinderWearsByItsArcs) {
+  for (const char* phases : {"4", "12"}) {
+    const auto model = this->model(cylinder("rotation = \"sin(2*pi*tau)\"", 0.3),
+                                   {fmt::format("cycle.phases={}", phases)});
+    Counters counters;
+    const double gross = Cattaneo::k * Cattaneo::P * 4 * Cattaneo::R;
+    EXPECT_NEAR(observed(*model, model->start(counters), "wear_flux") / gross, 1, 2e-3) << phases;
+  }
+}
+
+/// A half with its plane of symmetry held is as the whole, by either solver.
+TEST_F(Fretting, HeldDirectionsCarryNoTraction) {
+  folder_.write("half.geo", R"(SetFactory("OpenCASCADE");
+Box(1) = {-0.2, 0, -0.2, 0.4, 0.2, 0.2};
+Transfinite Curve {1, 2, 3, 4, 5, 6, 7, 8} = 4; Transfinite Curve {9, 10, 11, 12} = 7;
+Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
+Physical Surface("symmetry") = {3}; Physical Surface("bottom") = {5};
+Physical Surface("surface") = {6}; Physical Volume("block") = {1};
+)");
+  const std::string text = R"toml(problem = "worn_body"
+mesh.file = "half.geo"
+body = { young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }
+support = [ { on = "bottom" }, { on = "symmetry", directions = ["y"] } ]
+friction = { coefficient = 0.6, stick = true }
+wear = { on = ["surface"], coefficient = 2.9e-8 }
+time.cycles = 1000
+integrator = { name = "esdirk-3", rtol = 1e-3 }
+cycle = { period = 1.0, phases = 4, x = "5e-4 * sin(2*pi*tau)" }
+[counter_body]
+shape = "ball"
+radius = 5.0
+center = [0.0, 0.0, 5.0]
+press = { direction = [0.0, 0.0, -1.0], force = 25.0 }
+)toml";
+  std::vector<double> flux;
+  for (const char* solver : {"block", "direct"}) {
+    const auto model = this->model(text, {fmt::format("solver.method={}", solver)});
+    Counters counters;
+    flux.push_back(observed(*model, model->start(counters), "wear_flux"));
+  }
+  EXPECT_GT(flux[0], 0);
+  EXPECT_NEAR(flux[1] / flux[0], 1, 1e-8);
+}
+
+/// The force of friction over the place of the counter-body is a parallelogram: f P slides by twice
+/// the slip that is left, there and back.
 TEST_F(Fretting, TheLoopHoldsTheWorkOfFriction) {
-  // Of one phase is what it slides back before it slips.
+  // Phases at all corners of the loop: it slips again after two of them.
   const auto model =
       this->model(bed("x = \"0.01 * (1 - 4 * abs(tau - 0.5))\""), {"cycle.phases=20"});
   Counters counters;
@@ -208,6 +253,48 @@ TEST_F(Fretting, WhatDoesNotGoTogetherIsRefused) {
   steady.replace(steady.find("time.cycles = 1e6"), 17, "time.end = 1.0");
   expect(steady, {}, "expected also [cycle]");
   expect(cylinder(), {"counter_body.press.1.cycle=\"sin(\""}, "counter_body.press");
+  expect(cylinder(), {"counter_body.press.1.cycle=\"sin(2*pi*tau)\""}, "above zero");
+  expect(cylinder(), {"friction.stick=false"}, "expected friction.stick = true");
+  expect(cylinder(), {"wear.rate=\"k*p*v*exp(-s)\""}, "expected no sliding distance s");
+}
+
+/// The start loads by what presses, then by the other forces of the begin of the path; the cycle is
+/// the same from a quarter later on.
+TEST_F(Fretting, APathMayBeginAtItsLargestForce) {
+  std::vector<double> flux;
+  for (const char* factor : {"sin(2*pi*tau)", "cos(2*pi*tau)"}) {
+    const auto model =
+        this->model(cylinder(), {fmt::format("counter_body.press.2.cycle=\"{}\"", factor)});
+    Counters counters;
+    flux.push_back(observed(*model, model->start(counters), "wear_flux"));
+  }
+  EXPECT_NEAR(flux[1] / flux[0], 1, 1e-3);
+}
+
+/// Friction alone holds a plane along itself.
+TEST_F(Fretting, APlaneMayBeDrivenByAForce) {
+  std::string text = bed("x = \"0\"");
+  text.replace(text.find("press = {"), text.find("}\n[cycle]") - text.find("press = {") + 2,
+               "[[counter_body.press]]\ndirection = [0.0, -1.0]\nforce = 20.0\n"
+               "[[counter_body.press]]\ndirection = [1.0, 0.0]\nforce = 8.0\n"
+               "cycle = \"sin(2*pi*tau)\"\n");
+  text.erase(text.find("x = \"0\""), 7);
+  const auto model = this->model(text);
+  Counters counters;
+  const ContactSurface surface = model->contact(model->start(counters)).value();
+  EXPECT_NEAR(surface.phase_loop[0], 8 / 1e4, 1e-5);  // on the springs
+  EXPECT_NEAR(surface.phase_loop[2], 8, 1e-8);
+}
+
+/// Each phase stands for half of the intervals on both sides.
+TEST_F(Fretting, MeansOfForcesAreThoseOfTheCycle) {
+  const std::string drive =
+      "x = \"0.01 * sin(2*pi*tau)\"\nforce = \"20 * (1 + 0.5*sin(4*pi*tau))\"";
+  std::string text = bed(drive);
+  text.erase(text.find(", force = 20.0"), 14);
+  const auto model = this->model(text, {"cycle.phases=16"});
+  Counters counters;
+  EXPECT_NEAR(observed(*model, model->start(counters), "contact_force"), 20, 0.05);
 }
 
 TEST_F(Fretting, PartialSlipWithoutStickIsRefusedAndToldOf) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <gnomon/base/lift.hpp>
 #include <gnomon/base/tensor.hpp>
-#include <gnomon/laws/unilateral_contact.hpp>
 #include <optional>
 
 namespace gnomon {

@@ -118,7 +118,7 @@ struct Interface {
   NormalRule normal_rule = NormalRule::averaged;
   double friction = 0;  ///< Coulomb's coefficient mu of eq. (10)
   /// Friction may stick: the phases are a path through a cycle, whose end is that of the last one
-  /// (docs/fretting.md); the partner neither turns nor streams.
+  /// (docs/fretting.md); nothing streams.
   bool sticks = false;
   double rho = 1;                 ///< [stress / length]
   std::optional<double> speed{};  ///< that the scene gives, for nominal_speed() [length / time]

@@ -15,6 +15,7 @@ template <int dim>
 struct Phase {
   double position = 0;  ///< tau, in the cycle
   double weight = 1;    ///< omega, part of the mean over the cycle
+  double interval = 1;  ///< of a path: part of the cycle since the phase before
   /// Where it is in this phase, and how it moves; of pairs: how the first one slides where
   /// CyclicMotion says.
   CounterBody<dim> counter_body{};
@@ -63,11 +64,18 @@ template <int dim>
 Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
                     const CounterBody<dim>& rest, std::optional<double> force);
 
-/// How far the motion of a cycle has carried the counter-body's surface at X by a phase, from its
-/// place `rest` [length].
+/// How far the counter-body's surface has slid by along X by a phase, from its place `rest`
+/// [length].
 template <int dim>
 Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
                        const Phase<dim>& phase, const Vector<dim>& X);
+
+/// The phases of a path at the ends of its intervals. In the mean over the cycle each stands for
+/// half of the intervals on both sides, around the cycle.
+template <int dim>
+std::vector<Phase<dim>> path_phases(const std::vector<CyclePoint>& ends,
+                                    const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
+                                    std::optional<double> force);
 
 /// The phases of a quadrature; where it has fewer points than parts, a phase stands for its
 /// interval: it has the whole path, and the force and load with which it was made.

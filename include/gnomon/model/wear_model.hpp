@@ -62,6 +62,8 @@ private:
                                     const std::vector<PhaseContact<dim>>& contacts) const;
   /// Boundary that the counter-body comes near to joins the contact (Interface::reach).
   std::optional<Succession> succeed(const State& state) const;
+  /// Where friction may stick: what has joined since `before` remembers where it is.
+  void remember_joined(const Assembly<dim>& before, double t, FieldValues<dim>& values) const;
   std::optional<Succession> succeed_pairs(const State& state) const;
   /// By phase, of the nodes of the mesh, deformed, in the frames of the bodies [length].
   std::vector<std::vector<Vector<dim>>> positions(const State& state) const;

@@ -40,6 +40,7 @@ enum class Elasticity { as_assembled, whole };
 ///   u                equilibrium, eq. 23-25: internal + contact force - load            [force]
 ///                    of a condensed assembly S u + contact force - g (condensation.hpp)
 ///   lambda           C_N, eq. 26                                                        [length]
+///   lambda_T, s      where friction may stick: stick_node.hpp, stick_term.hpp
 ///   w                contact force on the counter-body - applied force, by guide        [force]
 ///   d (interior)     auxiliary equilibrium, eq. 20                                      [force]
 ///   d (contact)      ddot + Wdot N, eq. 14                                        [length/time]

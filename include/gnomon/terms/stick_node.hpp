@@ -24,8 +24,11 @@ namespace gnomon {
 template <int dim>
 struct StickParameters {
   ContactParameters<dim> contact;
-  double rho = 1;                ///< of the tangential multiplier [stress / length]
-  double interval = 1;           ///< since the phase before [time]
+  double rho = 1;       ///< of the tangential multiplier [stress / length]
+  double interval = 1;  ///< since the phase before [time]
+  /// Of that in the part of the mean over the cycle that the phase stands for: wear_rate is the
+  /// rate over the interval times this.
+  double share = 1;
   bool shape_is_unknown = true;  ///< else a node may touch where it could not wear
 };
 
@@ -99,9 +102,11 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   if (plain(pressure) > 0) {
     const WearRate rate =
         of.wear.rate(wear_input(patch, plain(wear), at.contact.moment), branch.contact.wear);
-    contact.wear_rate = lift(
-        rate.value,
-        Vector<4>(rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power), wear);
+    contact.wear_rate =
+        Scalar(parameters.share) *
+        lift(rate.value,
+             Vector<4>(rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power),
+             wear);
     // A node that has just opened wears by a pressure that may be no more than a rounding error.
     if (rate.value != 0 && contact.active && parameters.shape_is_unknown)
       require_direction(patch, plain(surface.normal));

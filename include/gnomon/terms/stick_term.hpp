@@ -28,6 +28,7 @@ struct StickState {
   bool is_last = false;                   ///< of its path: it has the rows of s
   double rho = 1;                         ///< of lambda_T [stress / length]
   double interval = 1;                    ///< since the phase before [time]
+  double share = 1;                       ///< StickParameters::share
   double period = 1;                      ///< of the cycle [time]
 };
 

@@ -41,6 +41,7 @@ def draw_loops(axes, result):
 def driven(rows, dim):
     """The direction in which force times displacement encloses most; without any, of the largest
     change of force."""
+    rows = numpy.vstack([rows, rows[:1]])
     work = [abs(numpy.trapezoid(rows[:, dim + i], rows[:, i])) if hasattr(numpy, "trapezoid")
             else abs(numpy.trapz(rows[:, dim + i], rows[:, i])) for i in range(dim)]
     if max(work) > 0:
@@ -73,9 +74,10 @@ def zones_of(result, line, step):
     """Positions on the initial surface, ascending, and 0, 1 or 2, open, stuck or slipping, one row
     per phase."""
     table, slip = result.contact(step), result.phase_slip(step)
-    length = numpy.linalg.norm(slip, axis=2)
+    closed = result.phase_pressure(step) > 0
+    length = numpy.where(closed, numpy.linalg.norm(slip, axis=2), 0)
     states = numpy.where(length > STUCK * length.max(axis=1, keepdims=True), 2, 1)
-    states[result.phase_pressure(step) <= 0] = 0
+    states[~closed] = 0
     rows = []
     for state in states:
         of_phase = table.copy()
