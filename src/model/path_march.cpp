@@ -93,9 +93,14 @@ template <int dim>
 void PathMarch<dim>::advance(const OnTheWay& on_the_way) {
   const Phase<dim> phase = on_the_way(1);
   Alone alone(*this, phase);
-  guess(alone, phase);
   std::string reason;
-  if (!solve(alone, reason) && !by_halves(alone, on_the_way, reason))
+  const auto from = [&](Carried carried) {
+    guess(alone, phase, carried);
+    return solve(alone, reason);
+  };
+  const bool far = is_far(phase);
+  if (!from(far ? Carried::by_shear : Carried::wholly) &&
+      !from(far ? Carried::wholly : Carried::by_shear) && !by_halves(alone, on_the_way, reason))
     throw SolutionError(
         fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}; a "
                     "tangential force that friction does not balance has none: {}",
@@ -119,15 +124,32 @@ void PathMarch<dim>::follow(std::size_t p) {
   if (to.w != FieldId::none) values_.scalar(to.w) = last_.w;
 }
 
-/// The state of the last phase, carried by the partner, so that all closed nodes begin as stuck.
+/// What friction shears the contact by [length].
 template <int dim>
-void PathMarch<dim>::guess(Alone& alone, const Phase<dim>& phase) const {
+double PathMarch<dim>::shear() const {
+  return whole_.assembly().interface.friction * whole_.assembly().scales.displacement;
+}
+
+/// Whether most of the way to a phase is slip.
+template <int dim>
+bool PathMarch<dim>::is_far(const Phase<dim>& phase) const {
+  constexpr double many = 30;
+  const NodalField<dim> carried = whole_.carried(phase) - last_.carried;
+  return carried.rowwise().norm().maxCoeff() > many * shear();
+}
+
+/// The state of the last phase, carried by the partner: wholly, so that all closed nodes begin as
+/// stuck, or by no more than friction shears the contact, where they slip by far.
+template <int dim>
+void PathMarch<dim>::guess(Alone& alone, const Phase<dim>& phase, Carried by) const {
   constexpr double inside = 0.99;  // of the limit of friction
   const WornBodyFields& fields = alone.fields();
   NodalField<dim>& u = alone.values.vector(fields.u);
   u = last_.u;
-  const NodalField<dim> carried = whole_.carried(phase) - last_.carried;
   const Assembly<dim>& assembly = whole_.assembly();
+  NodalField<dim> carried = whole_.carried(phase) - last_.carried;
+  const double most = carried.rowwise().norm().maxCoeff();
+  if (by == Carried::by_shear && most > shear()) carried *= shear() / most;
   for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c)
     for (int i = 0; i < dim; ++i)
       if (const int node = assembly.contact_nodes[c].node; !assembly.supports.held(node, i))
@@ -163,7 +185,7 @@ bool PathMarch<dim>::by_halves(Alone& target, const OnTheWay& on_the_way, std::s
       const Phase<dim> phase = on_the_way(double(k) / parts);
       Alone step(*this, phase);
       if (k == 1)
-        guess(step, phase);
+        guess(step, phase, Carried::wholly);
       else
         step.values = known;
       step.remember(last_.place);

@@ -40,7 +40,10 @@ private:
   using OnTheWay = std::function<Phase<dim>(double part)>;
   void advance(const OnTheWay& on_the_way);
   void follow(std::size_t phase);
-  void guess(Alone& alone, const Phase<dim>& phase) const;
+  double shear() const;
+  bool is_far(const Phase<dim>& phase) const;
+  enum class Carried { wholly, by_shear };
+  void guess(Alone& alone, const Phase<dim>& phase, Carried by) const;
   bool solve(Alone& alone, std::string& reason);
   bool by_halves(Alone& target, const OnTheWay& on_the_way, std::string& reason);
 
