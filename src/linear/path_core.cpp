@@ -133,7 +133,7 @@ private:
     for (int i = 0; i < structure_.size; ++i) {
       Place& place = place_[i];
       place.phase = structure_.block_of(i).owner;
-      place.component = structure_.component[i];
+      place.component = static_cast<unsigned char>(structure_.component[i]);
       if (const auto found = point_of.find(structure_.group[i]); found != point_of.end())
         place.point = found->second;
       if (role(i) == Role::multiplier || role(i) == Role::friction || role(i) == Role::rigid) {

@@ -1,7 +1,9 @@
 // The fields of a wearing assembly: their unknowns, and the scales of these.
 #include <algorithm>
 #include <cmath>
+#include <gnomon/model/physics.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
+#include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/shape_multiplier.hpp>
 
 namespace gnomon {

@@ -125,6 +125,9 @@ TEST(ResultFile, FindsTheContactSurfaceAtATime) {
   EXPECT_EQ(contact.phase_position, expected.phase_position);
   EXPECT_EQ(contact.phase_weight, expected.phase_weight);
   EXPECT_EQ(contact.phase_pressure, expected.phase_pressure);
+  EXPECT_EQ(contact.phase_traction, expected.phase_traction);
+  EXPECT_EQ(contact.phase_slip, expected.phase_slip);
+  EXPECT_EQ(contact.phase_loop, expected.phase_loop);
   EXPECT_EQ(reader.contact({}).wear_depth.front(), 1);
   EXPECT_EQ(reader.contact(0.500004).wear_depth.front(), 0.5);  // as printed with six digits
   EXPECT_THROW(reader.contact(0.50001), InputError);

@@ -115,6 +115,11 @@ inline ContactSurface contact(double t) {
   contact.phase_position = {0.25, 0.75};
   contact.phase_weight = {0.5, 0.5};
   for (int k = 0; k < 10; ++k) contact.phase_pressure.push_back(k + t);
+  for (int k = 0; k < 20; ++k) {  // of two components
+    contact.phase_traction.push_back(2 * k - t);
+    contact.phase_slip.push_back(k * t);
+  }
+  for (int k = 0; k < 8; ++k) contact.phase_loop.push_back(k - t);
   return contact;
 }
 

@@ -118,11 +118,10 @@ struct ContactNode {
                                              ///< covers, a tenth at least where it carries force
   Scalar gap{0};                             ///< g [length]
   Vector<dim> normal = Vector<dim>::Zero();  ///< n of the partner
+  /// On the partner, in a phase; only where contact may stick (stick_node.hpp) [length].
+  Vector<dim, Scalar> slip = Vector<dim, Scalar>::Zero();
   bool active = false;
-  // Only where contact may stick (stick_node.hpp):
-  Vector<dim, Scalar> slip =
-      Vector<dim, Scalar>::Zero();  ///< in the phase, on the partner [length]
-  bool sticks = false;
+  bool sticks = false;  ///< where it may
 
   ContactNode() = default;
   ContactNode(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
