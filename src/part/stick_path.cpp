@@ -25,11 +25,12 @@ std::vector<const CycleFunction*> functions_of(const Cycle& cycle) {
 template <int dim>
 std::vector<double> extremes_of(const CyclicMotion<dim>& motion) {
   std::vector<const CycleFunction*> functions = functions_of(motion.cycle);
-  for (const auto& force : motion.forces)
-    if (force) functions.push_back(&*force);
   std::vector<double> found = motion.cycle.kinks();
-  for (const CycleFunction* function : functions)
-    found = merged_kinks(std::move(found), function->kinks());
+  for (const auto& force : motion.forces) {
+    if (!force) continue;
+    functions.push_back(&*force);
+    found = merged_kinks(std::move(found), force->kinks());
+  }
   return merged_kinks(std::move(found), sign_changes_in_cycle(
                                             [&](double tau, std::span<double> slopes) {
                                               for (std::size_t k = 0; k < functions.size(); ++k)
@@ -133,17 +134,11 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
 
 namespace {
 
-/// Whether every stage depends on the ones before it alone.
-bool is_explicit(const Integrator& integrator) {
-  const std::optional<ButcherTable> table = integrator.table({});
-  return table && table->A.triangularView<Eigen::Upper>().toDenseMatrix().isZero(0);
-}
-
 /// What slides follows within a cycle, which explicit methods, and those that do not damp, cannot.
 void require_damping(const Scene& scene) {
   const Integrator& chosen =
       Registry<Integrator>::find(scene.text("integrator.name"), "integrator");
-  if (is_explicit(chosen))
+  if (chosen.is_explicit())
     throw InputError(scene.where("integrator.name") +
                      ": expected an implicit method beside "
                      "friction.stick: the memory of slip follows within a cycle");

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <gnomon/cycles/phase_mean.hpp>
-#include <gnomon/stability/stability.hpp>
 #include <limits>
 
 #include "run/guards.hpp"
@@ -14,11 +13,7 @@ namespace gnomon {
 std::vector<std::string> end_warnings(const Observation& last, double invisible,
                                       long chattering_nodes, const Integrator& integrator) {
   std::vector<std::string> warnings;
-  const auto explicit_method = [&] {
-    const auto table = integrator.table({});
-    return table && is_explicit(*table);
-  };
-  if (chattering_nodes > 0 && explicit_method())
+  if (chattering_nodes > 0 && integrator.is_explicit())
     warnings.push_back(
         fmt::format("{} contact nodes left contact twice or more: steps seem to exceed the "
                     "critical one of {} (gnomon stability)",

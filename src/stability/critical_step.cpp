@@ -10,10 +10,6 @@ constexpr double rounding = 1e-12;  // by which |R| may exceed one: R(0) = 1 exa
 constexpr double slow = 0.01;       // fraction of the fastest mode
 }  // namespace
 
-bool is_explicit(const ButcherTable& table) {
-  return table.A.triangularView<Eigen::Upper>().toDenseMatrix().isZero(0);
-}
-
 std::complex<double> stability_function(const ButcherTable& table, std::complex<double> z) {
   std::vector<std::complex<double>> stages;
   std::complex<double> R = 1;

@@ -22,4 +22,9 @@ struct ButcherTable {
   bool explicit_first_stage() const { return A(0, 0) == 0; }
 };
 
+/// Whether every stage depends on the ones before it alone.
+inline bool is_explicit(const ButcherTable& table) {
+  return table.A.triangularView<Eigen::Upper>().toDenseMatrix().isZero(0);
+}
+
 }  // namespace gnomon

@@ -115,6 +115,12 @@ struct Integrator {
   std::function<std::optional<ButcherTable>(const IntegratorSettings&)> table;
   std::function<std::unique_ptr<Stepper>(const System&, const IntegratorSettings&, Counters&)> make;
 
+  /// By its table; a method without one is not.
+  bool is_explicit() const {
+    const std::optional<ButcherTable> coefficients = table({});
+    return coefficients && gnomon::is_explicit(*coefficients);
+  }
+
   /// What a registration needs and this value lacks (Registry). A method without a table says so:
   /// `table` returns nothing.
   std::string missing() const { return !table ? "table" : !make ? "make" : ""; }

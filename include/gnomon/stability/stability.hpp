@@ -76,8 +76,6 @@ std::vector<Mode> leading_modes(const ReducedJacobian& G, int count);
 /// Every mode, largest magnitude first, by the dense QR algorithm.
 std::vector<Mode> all_modes(const Eigen::MatrixXd& G);
 
-/// True if no stage depends on itself or on a later one.
-bool is_explicit(const ButcherTable& table);
 /// R(z) = 1 + z b^T (I - z A)^-1 1: the factor by which a step of size h multiplies the solution of
 /// ydot = (z/h) y.
 std::complex<double> stability_function(const ButcherTable& table, std::complex<double> z);
