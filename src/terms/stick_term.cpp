@@ -34,13 +34,21 @@ private:
   int at_ = 0;
 };
 
-void append(std::vector<int>& to, const std::vector<int>& more) {
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
 template <class Row>
 void append_row(std::vector<int>& to, const Row& row) {
   for (Eigen::Index i = 0; i < row.size(); ++i) to.push_back(row[i]);
+}
+
+/// Of a row of s: u and s of its node in its direction, and q.
+std::vector<int> memory_columns(int u, int s, const std::vector<int>& q) {
+  std::vector<int> columns = {u, s};
+  append(columns, q);
+  return columns;
 }
 
 }  // namespace
@@ -109,9 +117,6 @@ std::vector<int> StickTerm<dim>::column_numbers(int c) const {
 
 template <int dim>
 void StickTerm<dim>::declare(TermStructure& structure) const {
-  const auto add = [](std::vector<double>& times, const std::vector<double>& more) {
-    times.insert(times.end(), more.begin(), more.end());
-  };
   for (int c = 0; c < count(); ++c) {
     structure.pattern.add(row_numbers(c), column_numbers(c));
     const WearLaw& law = parameters(c).contact.wear;
@@ -121,18 +126,16 @@ void StickTerm<dim>::declare(TermStructure& structure) const {
     for (std::size_t k = 0; k < law.kinks(); ++k) structure.switch_jumps.push_back(law.may_jump(k));
     if (!state_.is_last) continue;
     for (int i = 0; i < dim; ++i) {
-      std::vector<int> columns = {u_numbers_(state_.contact.patches[c].node, i),
-                                  memory_numbers_(c, i)};
-      append(columns, q_numbers_);
-      structure.pattern.add({memory_numbers_(c, i)}, columns);
+      const int u = u_numbers_(state_.contact.patches[c].node, i), s = memory_numbers_(c, i);
+      structure.pattern.add({s}, memory_columns(u, s, q_numbers_));
     }
   }
   for (const StickParameters<dim>& surface : surfaces_) {
-    add(structure.breakpoints, surface.contact.wear.breakpoints());
-    add(structure.stops, surface.contact.wear.stops());
+    append(structure.breakpoints, surface.contact.wear.breakpoints());
+    append(structure.stops, surface.contact.wear.stops());
   }
   for (const Guide<dim>& guide : state_.contact.parameters.counter_body.guides)
-    if (guide.travel) add(structure.breakpoints, guide.travel->times());
+    if (guide.travel) append(structure.breakpoints, guide.travel->times());
 }
 
 template <int dim>
@@ -143,10 +146,8 @@ void StickTerm<dim>::map_to(const SparsePattern& pattern) {
     map_.push_back(pattern.positions(row_numbers(c), column_numbers(c)));
     if (!state_.is_last) continue;
     for (int i = 0; i < dim; ++i) {
-      std::vector<int> columns = {u_numbers_(state_.contact.patches[c].node, i),
-                                  memory_numbers_(c, i)};
-      append(columns, q_numbers_);
-      memory_map_.push_back(pattern.positions({memory_numbers_(c, i)}, columns));
+      const int u = u_numbers_(state_.contact.patches[c].node, i), s = memory_numbers_(c, i);
+      memory_map_.push_back(pattern.positions({s}, memory_columns(u, s, q_numbers_)));
     }
   }
 }
