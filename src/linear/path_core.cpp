@@ -101,6 +101,7 @@ private:
     int number = -1;                ///< u: among touched, y: in its phase, g: in g_; -1: not active
   };
   struct Phase {
+    std::vector<int> u;         ///< displacements of all points
     std::vector<int> all_y, y;  ///< all, and those that are solved together
     std::vector<char> closed;   ///< by point
     // Of the current J, v the displacements of touched points:
@@ -145,6 +146,7 @@ private:
         slow_.push_back(i);
       } else if (role(i) == Role::stiffness && place.point >= 0) {
         place.kind = Kind::u;
+        phases_[place.phase].u.push_back(i);
         const std::vector<int>& block = stiffness_.unknowns(place.phase);
         numbers[place.point][place.component] =
             static_cast<int>(std::ranges::lower_bound(block, i) - block.begin());
@@ -287,22 +289,21 @@ private:
     contact_columns_.subtract(J_, z, s);
   }
 
-  Eigen::VectorXd displacements(std::size_t p, std::span<const double> x) const {
+  Eigen::VectorXd displacements(const Phase& phase, std::span<const double> x) const {
     Eigen::VectorXd v = Eigen::VectorXd::Zero(most_components * std::ssize(touched_));
-    for (const int i : phase_u_[p])
+    for (const int i : phase.u)
       if (place_[i].number >= 0) v[place_[i].number] = x[i];
     return v;
   }
 
   /// y of all phases and g, from s and the displacements x without contact.
   void solve_contact(std::span<const double> s, std::span<const double> x) {
-    if (phase_u_.empty()) list_displacements();
     Eigen::VectorXd q(g_.size());
     for (std::size_t k = 0; k < g_.size(); ++k) q[long(k)] = s[g_[k]];
     Eigen::VectorXd before;
     for (std::size_t p = 0; p < phases_.size(); ++p) {
       Phase& phase = phases_[p];
-      const Eigen::VectorXd v = displacements(p, x);
+      const Eigen::VectorXd v = displacements(phase, x);
       Eigen::VectorXd f(phase.y.size());
       for (std::size_t k = 0; k < phase.y.size(); ++k) f[long(k)] = s[phase.y[k]];
       f -= phase.y_by_v * v;
@@ -316,11 +317,6 @@ private:
     for (Phase& phase : phases_) phase.solution -= phase.Z * slow_solution_;
   }
 
-  void list_displacements() {
-    phase_u_.resize(phases_.size());
-    for (int i = 0; i < structure_.size; ++i)
-      if (place_[i].kind == Place::Kind::u) phase_u_[place_[i].phase].push_back(i);
-  }
   std::size_t points() const { return compliance_.points(); }
 
   const Structure& structure_;
@@ -333,7 +329,6 @@ private:
   ContactCompliance compliance_;
   std::vector<int> touched_;  // points that are closed in any phase
   std::vector<int> g_;        // those of slow_ at touched points
-  std::vector<std::vector<int>> phase_u_;
   Eigen::MatrixXd g_by_g_;
   Eigen::PartialPivLU<Eigen::MatrixXd> rest_;  // of g, without y
   Eigen::VectorXd slow_solution_;
