@@ -73,10 +73,11 @@ py::dict dict_of(const ContactSurface& surface) {
   made["phase_position"] = array(surface.phase_position);
   made["phase_weight"] = array(surface.phase_weight);
   made["phase_pressure"] = array(surface.phase_pressure, {phases, nodes});
-  if (surface.phase_loop.empty()) return made;
+  if (surface.phase_traction.empty()) return made;
   made["phase_traction"] = array(surface.phase_traction, {phases, nodes, surface.dim});
   made["phase_slip"] = array(surface.phase_slip, {phases, nodes, surface.dim});
-  made["phase_loop"] = array(surface.phase_loop, {phases, 2 * surface.dim});
+  if (!surface.phase_loop.empty())
+    made["phase_loop"] = array(surface.phase_loop, {phases, 2 * surface.dim});
   return made;
 }
 

@@ -37,7 +37,8 @@ std::string point_text(const std::array<double, 3>& x) {
 
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
-                   wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, rounding = 1e-6;
+                   wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, blind = 1e-3,
+                   rounding = 1e-6;
   std::vector<std::string> found;
   const bool loaded = largest_force(facts) > rounding * facts.force;
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
@@ -72,6 +73,17 @@ std::vector<std::string> doubts(const Examination& facts) {
         "friction drags the contact by {:.3g} mm of a stroke of {:.3g} mm: for that "
         "part it sticks, and as much of the wear, {:.0f} %, is too much",
         facts.drag->drag, facts.drag->stroke, 100 * facts.drag->drag / facts.drag->stroke));
+  if (facts.without_friction > blind)
+    found.push_back(
+        fmt::format("{:.2g} of the contact force is on nodes without friction, because the mesh "
+                    "does not say from where their material comes: wear.on should begin upstream "
+                    "of the contact, and have all of it",
+                    facts.without_friction));
+  if (std::abs(facts.upwind_power) > unbalanced)
+    found.push_back(
+        fmt::format("in rolling {:.2g} of the power of friction comes from differences along the "
+                    "velocity, not from what drives it: it needs a finer mesh there",
+                    facts.upwind_power));
   if (facts.overlap > inside * facts.size)
     found.push_back(fmt::format(
         "the counter-body lies {:.3g} mm inside the unloaded bodies and cannot give way: they are "

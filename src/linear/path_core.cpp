@@ -165,7 +165,7 @@ private:
       for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
         if (const Place& row = place_[pattern.row_index[k]];
             row.kind == Place::Kind::y && row.point >= 0 && J_[k] != 0)
-          phases_[row.phase].closed[row.point] = touched[row.point] = 1;
+          phases_[row.phase].closed[row.point] = touched[row.point] = touched[place_[j].point] = 1;
     }
     touched_.clear();
     for (std::size_t point = 0; point < touched.size(); ++point)

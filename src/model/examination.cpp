@@ -9,6 +9,7 @@
 
 #include "mesh/facet_table.hpp"
 #include "model/connected_parts.hpp"
+#include "model/observed_rolling.hpp"
 #include "model/resultants.hpp"
 
 namespace gnomon {
@@ -201,6 +202,12 @@ Examination WearModel<dim>::examine(const State& state) const {
   facts.lost_wear = find_lost_wear(assembly(), contacts);
   if (assembly().interface.sticks)
     facts.stick_area = cycle_of_slip(assembly(), contacts).stick_area;
+  if (assembly().interface.rolling) {
+    const PowerOfRolling power =
+        power_of_rolling(assembly(), values.vector(equations_.fields().u), contacts.front().nodes);
+    if (power.dissipated > 0) facts.upwind_power = power.upwind / power.dissipated;
+    facts.without_friction = power.without_friction;
+  }
   facts.deformation = assembly().scales.displacement;
   facts.force = assembly().copies * assembly().scales.force;
   const Box<dim> box = Box<dim>::around(assembly().mesh.nodes);

@@ -33,7 +33,9 @@ constexpr std::array table = {
     Quantity{"wear_depth", "mm", "mm", "largest depth of wear at a contact node"},
     Quantity{"friction_work", "N", "N mm", "work of friction in a cycle, where it may stick"},
     Quantity{"slip_path", "mm", "mm", "longest slip of a contact node in a cycle"},
-    Quantity{"stick_area", "mm", "mm^2", "area of contact that sticks in the whole cycle"},
+    Quantity{"friction_power", "N/s", "N mm/s", "power that friction dissipates in rolling"},
+    Quantity{"stick_area", "mm", "mm^2",
+             "area of contact that sticks, in a cycle in the whole of it"},
     Quantity{"contact_area", "mm", "mm^2",
              "area of contact along the worn surface, in 2D its width"},
     Quantity{"contact_area_error", "mm", "mm^2",
@@ -56,6 +58,8 @@ std::string meaning_of(std::string_view name) {
   if (of_body("worn_volume_"))
     return "volume that this body has lost, from its geometry; of a track along all of its path";
   if (of_body("wear_flux_")) return "sum of area times wear rate of this body";
+  if (of_body("creepage_"))
+    return "velocity of the body's material relative to the counter-body, by that of rolling";
   const auto quantity = std::ranges::find(table, name, &Quantity::name);
   return quantity == table.end() ? std::string() : std::string(quantity->meaning);
 }

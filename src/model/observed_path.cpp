@@ -15,15 +15,20 @@ void append(std::vector<double>& to, const Vector<dim>& value) {
 }  // namespace
 
 template <int dim>
-void WearModel<dim>::add_path(const FieldValues<dim>& values, double t, std::size_t p,
-                              const std::vector<ContactNode<dim>>& nodes,
-                              ContactSurface& surface) const {
-  Vector<dim> force = Vector<dim>::Zero();
+void add_friction(const std::vector<ContactNode<dim>>& nodes, ContactSurface& surface) {
   for (const ContactNode<dim>& node : nodes) {
     append<dim>(surface.phase_traction, node.traction * node.normal - node.force / node.area);
     append<dim>(surface.phase_slip, node.slip);
-    force -= assembly().copies * node.force;
   }
+}
+
+template <int dim>
+void WearModel<dim>::add_path(const FieldValues<dim>& values, double t, std::size_t p,
+                              const std::vector<ContactNode<dim>>& nodes,
+                              ContactSurface& surface) const {
+  add_friction(nodes, surface);
+  Vector<dim> force = Vector<dim>::Zero();
+  for (const ContactNode<dim>& node : nodes) force -= assembly().copies * node.force;
   for (int i = 0; i < dim; ++i) force[i] = sum_over_processes(force[i]);
   const CounterBody<dim>& other = equations_.phases()[p].counter_body;
   const PartnerMotion<> q = equations_.partner_motion(values, t, p);
@@ -65,6 +70,8 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
   return {sum_over_processes(result.work), result.path, sum_over_processes(result.stick_area)};
 }
 
+template void add_friction(const std::vector<ContactNode<2>>&, ContactSurface&);
+template void add_friction(const std::vector<ContactNode<3>>&, ContactSurface&);
 template CycleOfSlip cycle_of_slip(const Assembly<2>&, const std::vector<PhaseContact<2>>&);
 template CycleOfSlip cycle_of_slip(const Assembly<3>&, const std::vector<PhaseContact<3>>&);
 template void WearModel<2>::add_path(const FieldValues<2>&, double, std::size_t,

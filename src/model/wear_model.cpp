@@ -7,6 +7,7 @@
 #include <gnomon/terms/meridian_point.hpp>
 
 #include "model/connected_parts.hpp"
+#include "model/observed_rolling.hpp"
 #include "model/resultants.hpp"
 #include "model/tracks.hpp"
 
@@ -92,6 +93,7 @@ void add_motion(const Phase<dim>& phase, double weight, const Eigen::VectorXd& w
     if (!forces[k]) continue;
     const double part = weight * w[static_cast<Eigen::Index>(k)];
     const Guide<dim>& guide = phase.counter_body.guides[k];
+    if (guide.creeps()) continue;
     if (k == 0) {
       approach = approach.value_or(0) + part;
       continue;
@@ -310,6 +312,9 @@ Observation WearModel<dim>::observe(const State& state) const {
     observed.push_back(common("slip_path", slip.path, units));
     observed.push_back(common("stick_area", slip.stick_area, units));
   }
+  if (assembly().interface.rolling)
+    observe_rolling(assembly(), values.vector(equations_.fields().u), phases.front().nodes,
+                    equations_.partner_motion(values, state.t), units, observed);
   // Of a part of a symmetric body, what is across the symmetry is not known.
   if (!equations_.phases().front().counter_body.guides.empty() && assembly().copies == 1)
     observe_reaction(assembly().section(), reaction, observed);
@@ -352,13 +357,15 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
                                 ? wear_depth(c, values.vector(equations_.fields().d))
                                 : 0;
   }
-  if (phases.size() > 1)
+  const bool rolls = assembly().interface.rolling.has_value();
+  if (phases.size() > 1 || rolls)
     for (std::size_t p = 0; p < phases.size(); ++p) {
       surface.phase_position.push_back(equations_.phases()[p].position);
       surface.phase_weight.push_back(phases[p].weight);
       for (const ContactNode<dim>& contact : phases[p].nodes)
         surface.phase_pressure.push_back(std::max(0.0, -contact.traction));
       if (assembly().interface.sticks) add_path(values, state.t, p, phases[p].nodes, surface);
+      if (rolls) add_friction(phases[p].nodes, surface);
     }
   return surface;
 }

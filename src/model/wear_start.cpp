@@ -55,7 +55,8 @@ void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterB
   Tensor<dim> free = Tensor<dim>::Zero();
   int ways = 0;
   for (const Guide<dim>& guide : other.guides)
-    if (guide.force && !guide.turns() && ++ways) free += guide.along * guide.along.transpose();
+    if (guide.force && !guide.turns() && !guide.creeps() && ++ways)
+      free += guide.along * guide.along.transpose();
   if (ways < 2) return;
   const Tensor<dim> within = free * Tensor<dim>(pseudo_inverse(free));
   const Vector<dim> force = other.approach;
@@ -147,6 +148,7 @@ template <int dim>
 RampOptions ramp_options(const Assembly<dim>& body) {
   RampOptions options;
   for (const Body& each : body.bodies) {
+    if (each.element.kinematics == Kinematics::small) continue;  // no load inverts an element
     const ElasticModuli& law = each.material.moduli;
     const double whole_strain = body.scales.stress / law.young_modulus();
     const double strain = 3 * law.mu / (law.lambda + law.mu);
@@ -275,6 +277,7 @@ State WearModel<dim>::start(Counters& counters) const {
     values.vector(to.u) = of_phase.vector(from.u);
     values.scalar(to.lambda) = of_phase.scalar(from.lambda);
     if (to.w != FieldId::none) values.scalar(to.w) = of_phase.scalar(from.w);
+    if (to.traction != FieldId::none) values.vector(to.traction) = of_phase.vector(from.traction);
   }
   State state;
   state.y.resize(system().structure().size);

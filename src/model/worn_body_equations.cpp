@@ -13,8 +13,10 @@
 #include <gnomon/terms/shape_multiplier.hpp>
 #include <gnomon/terms/springs.hpp>
 #include <gnomon/terms/stick_term.hpp>
+#include <limits>
 
 #include "model/rigid_balance.hpp"
+#include "model/upstream.hpp"
 
 namespace gnomon {
 
@@ -140,18 +142,63 @@ StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nomina
   const double period = assembly_->cycle->motion.cycle.period;
   StickState<dim> state{.contact = contact_state(*assembly_, phases_[p], fields_[p], nominal_speed),
                         .traction = fields_[p].traction,
-                        .memory = fields_[p].memory,
                         .carried = carried(phases_[p]),
+                        .before = {},
                         .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
+                        .memory = fields_[p].memory,
                         .is_last = p + 1 == phases_.size(),
                         .rho = assembly_->interface.rho,
-                        .interval = phases_[p].interval * period,
+                        .interval = {},
                         .share = phases_[p].interval / phases_[p].weight,
                         .period = period};
+  state.interval.assign(assembly_->contact_nodes.size(), phases_[p].interval * period);
+  for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
+    state.before.push_back({p == 0
+                                ? PartOfPlace{state.memory, static_cast<Eigen::Index>(c)}
+                                : PartOfPlace{fields_[p - 1].u, assembly_->contact_nodes[c].node}});
   if (p == 0) return state;
-  state.u_before = fields_[p - 1].u;
   state.q_before = fields_[p - 1].w;
   state.carried_before = carried(phases_[p - 1]);
+  return state;
+}
+
+/// The place before is where the material upstream is, by differences of second order.
+template <int dim>
+StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) const {
+  const Rolling<dim>& rolling = *assembly_->interface.rolling;
+  // Of a stiffness of contact: Newton's method may cycle from a cold start at 1, and turn the slip
+  // of nodes in space too slowly far below.
+  constexpr double softness = 0.1;
+  double young = std::numeric_limits<double>::infinity();
+  for (const Body& body : assembly_->bodies) young = std::min(young, body.material.young_modulus);
+  const CounterBody<dim>& partner = assembly_->interface.partner;
+  const std::size_t count = assembly_->contact_nodes.size();
+  StickState<dim> state{
+      .contact = contact_state(*assembly_, phases_.front(), fields(), nominal_speed),
+      .traction = fields().traction,
+      .carried = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
+      .before = std::vector<std::vector<PartOfPlace>>(count),
+      .lambda_before = fields().lambda,
+      .rho = 0,
+      .interval = std::vector<double>(count, 1),
+      .rolling = rolling};
+  for (const Upstream& at : upstream_of(*assembly_)) {
+    const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
+    const Vector<dim> X = assembly_->mesh.nodes[static_cast<std::size_t>(at.node)];
+    Vector<dim> streamed = X;
+    for (const auto& [node, factor] : at.from) {
+      state.before[c].push_back({fields().u, node, factor});
+      streamed -= factor * assembly_->mesh.nodes[static_cast<std::size_t>(node)];
+    }
+    state.interval[c] = at.distance / rolling.velocity.norm();
+    if (rolling.linear && partner.motion.moves())
+      streamed -= state.interval[c] * partner.motion.at(Vector<dim>(X - partner.position));
+    else if (rolling.linear)
+      streamed.setZero();
+    state.carried.row(static_cast<Eigen::Index>(c)) =
+        -(streamed + at.distance * rolling.creepage_at(X)).transpose();
+    state.rho = std::max(state.rho, softness * young / at.distance);
+  }
   return state;
 }
 
@@ -176,7 +223,9 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
     contact_terms_.push_back(terms.size());
     add(terms, TermKind::contact, p,
         [of = assembly_, phase = phases_[p], f = fields_[p], speed,
-         stick = assembly_->interface.sticks ? std::optional(stick_state(p, speed)) : std::nullopt,
+         stick = assembly_->interface.sticks    ? std::optional(stick_state(p, speed))
+                 : assembly_->interface.rolling ? std::optional(rolling_state(speed))
+                                                : std::nullopt,
          candidates =
              candidates_in(phases_[p])](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
           if (stick) return std::make_unique<StickTerm<dim>>(*stick, f.d, numbering);

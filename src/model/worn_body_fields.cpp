@@ -15,7 +15,10 @@ namespace {
 template <int dim>
 Scales above_rounding(const Assembly<dim>& body) {
   const auto [low, high] = Box<dim>::around(body.mesh.nodes);
-  const double size = (high - low).maxCoeff(), length = 1e-6 * size;
+  const double size = (high - low).maxCoeff();
+  // Gaps are differences of coordinates as large as the partner's radius.
+  const double reach = body.pairs.empty() ? body.interface.partner.shape.reach() : 0;
+  const double length = 1e-6 * std::max(size, reach);
   double area = std::pow(size, dim - 1);
   if (body.section() == Section::meridian) area *= 2 * M_PI * high[0];
   double modulus = 0;
@@ -146,7 +149,8 @@ FieldSet WornBodyEquations<dim>::make_fields() {
     const int rigid = set.add(of_phase({"rigid_motion", "w", "counter-body", Role::rigid}, p));
     fields_[p].w = set.add(rigid_motion_field(*assembly_, phases_[p], scales, rigid));
   }
-  if (assembly_->interface.sticks) add_friction(scales, set);
+  if (assembly_->interface.sticks || assembly_->interface.rolling) add_friction(scales, set);
+  if (assembly_->interface.sticks) add_memory(scales, set);
   if (assembly_->shape.constraint == ConstraintForm::multiplier) {
     const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});
     const FieldId mu = set.add(shape_multiplier_field<dim>(
@@ -156,7 +160,7 @@ FieldSet WornBodyEquations<dim>::make_fields() {
   return set;
 }
 
-/// Fields of a path: lambda_T of each phase, and s.
+/// lambda_T of each phase.
 template <int dim>
 void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
@@ -174,6 +178,11 @@ void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
     traction.unknown_scale.setConstant(scales.stress);
     fields_[p].traction = set.add(std::move(traction));
   }
+}
+
+/// s of a path.
+template <int dim>
+void WornBodyEquations<dim>::add_memory(const Scales& scales, FieldSet& set) {
   const double slip = slip_scale(*assembly_, phases_, scales);
   const int block = set.add({.name = "slip_memory",
                              .symbol = "s",

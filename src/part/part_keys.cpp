@@ -9,6 +9,7 @@
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/pairs.hpp"
+#include "part/rolling.hpp"
 #include "part/shape_support.hpp"
 #include "part/supports.hpp"
 
@@ -119,8 +120,8 @@ std::vector<Key> shared_keys() {
 std::vector<Key> part_keys() {
   std::vector<Key> keys = mesh_keys();
   for (const auto& more :
-       {own_keys(), support_keys(), load_keys(), pair_keys(), cycle_keys(), shared_keys(),
-        body_table_keys(), body_mesh_keys(), shape_support_keys()})
+       {own_keys(), support_keys(), load_keys(), pair_keys(), cycle_keys(), rolling_keys(),
+        shared_keys(), body_table_keys(), body_mesh_keys(), shape_support_keys()})
     keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

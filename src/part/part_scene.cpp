@@ -21,6 +21,7 @@
 #include "part/pair_cycle.hpp"
 #include "part/pairs.hpp"
 #include "part/phases.hpp"
+#include "part/rolling.hpp"
 #include "part/shape_support.hpp"
 #include "part/stick_path.hpp"
 #include "part/stored_part.hpp"
@@ -34,15 +35,24 @@ namespace {
 
 using namespace part;
 
+/// The mean over the contact surface, unit; zero where it is closed.
+template <int dim>
+Vector<dim> outward_normal(const std::vector<ContactPatch<dim>>& patches) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const auto& patch : patches) sum += patch.initial_area * patch.initial_normal;
+  return sum.isZero(0) ? sum : sum.normalized();
+}
+
 /// The counter-body and what presses it. Where the scene gives no direction, it is met along the
 /// mean normal of the contact surface.
 template <int dim>
 CounterBody<dim> read_partner(const Scene& scene, Section section,
                               const std::vector<ContactPatch<dim>>& patches) {
   CounterBody<dim> other = read_counter_body<dim>(scene, section);
-  Vector<dim> outward = Vector<dim>::Zero();
-  for (const auto& patch : patches) outward += patch.initial_area * patch.initial_normal;
-  if (other.guides.empty() && outward.norm() > 0) other.approach = -outward.normalized();
+  const Vector<dim> outward = outward_normal(patches);
+  if (outward.isZero(0)) return other;
+  if (rolls(scene)) let_creep<dim>(scene, outward, other);
+  if (other.guides.empty()) other.approach = -outward;
   return other;
 }
 
@@ -51,6 +61,7 @@ CounterBody<dim> read_partner(const Scene& scene, Section section,
 template <int dim>
 struct Motion {
   CounterBody<dim> partner;
+  std::optional<Rolling<dim>> rolling{};
   std::optional<double> force{};
   LoadHistory history{};
   double speed = 1;
@@ -74,6 +85,10 @@ Motion<dim> read_motion(const Scene& scene, Section section,
   const Meeting<dim> meeting = find_meeting(scene, patches, other, cycle);
   motion.partner = meeting.partner;
   motion.speed = meeting.speed;
+  motion.rolling = read_rolling<dim>(scene, outward_normal(patches),
+                                     meeting.partner.position + meeting.partner.motion.reference);
+  if (cycle && motion.rolling)
+    throw InputError(scene.where("rolling.velocity") + ": expected no [cycle] beside it");
   if (cycle)
     motion.phases = scene.flag("friction.stick")
                         ? read_path(scene, *cycle, motion.partner, motion.force)
@@ -177,7 +192,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
       require_surface_names(scene);
       for (Surface<dim>& surface : surfaces) {
         surface.wear = read_surface_law(scene, surface.name, motion.speed);
-        refuse_track(scene, surface.name);
+        if (!rolls(scene)) refuse_track(scene, surface.name);
       }
     });
   mistakes.require_none();
@@ -192,7 +207,8 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
                                          .history = motion.history,
                                          .normal_rule = read_normal_rule(scene),
                                          .friction = scene.real("friction.coefficient"),
-                                         .sticks = scene.flag("friction.stick"),
+                                         .sticks = scene.flag("friction.stick") && !motion.rolling,
+                                         .rolling = motion.rolling,
                                          .speed = motion.speed},
                            .shape = read_shape_motion<dim>(scene, {}),
                            .remarks = part.remarks,
@@ -207,6 +223,12 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
         surface.track = read_track(scene, surface, parts);
       }
   }
+  if (motion.rolling)
+    parts.interface.rolling->linear = std::ranges::all_of(parts.bodies, [](const Body& body) {
+      return body.element.kinematics == Kinematics::small;
+    });
+  for (Surface<dim>& surface : parts.interface.surfaces)
+    if (motion.rolling) surface.track = read_track(scene, surface, parts);
   if (!motion.phases) return parts;
   parts.cycle = motion.phases->contact;
   parts.phases = motion.phases->phases;
@@ -280,6 +302,15 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
     if (*parts.interface.speed == 0) parts.interface.speed = slow.interface.speed;
     parts.scales = magnitudes.scales;
   }
+  if (parts.interface.rolling) {
+    for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
+      if (!scene.given("wear.velocity"))
+        parts.interface.speed = speed_of_rolling(parts, magnitudes);
+      magnitudes = find_magnitudes(scene, parts);
+    }
+    scale_creepages(magnitudes, parts);
+    parts.scales = magnitudes.scales;
+  }
   if (parts.pairs.empty())
     join_reachable_boundary(magnitudes, parts);
   else
@@ -305,7 +336,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   append(parts.remarks, remarks_on_loads(scene));
   if (!parts.pairs.empty()) append(parts.remarks, remarks_on_pivots(scene, part));
   const std::vector<ContactPatch<dim>> patches = contact_nodes_of(parts);
-  if (parts.pairs.empty() && !parts.interface.sticks)
+  if (parts.pairs.empty() && !parts.interface.sticks && !parts.interface.rolling)
     append(parts.remarks, remarks_on_speeds(scene, patches, parts.interface.partner, cycle));
   keep_normals_to_supports(parts);
   complete_surface_laws(scene, parts);

@@ -97,7 +97,7 @@ void refuse_track(const Scene& scene, const std::string& surface) {
   if (scene.given(path_key(surface)))
     throw unfit_track(scene, surface,
                       "expected none beside a rigid counter-body: a track is worn by a body of a "
-                      "[[pair]]; a groove under a rigid ball is problem = "
+                      "[[pair]], or in [rolling]; a groove under a rigid ball is problem = "
                       "\"ball_on_half_space\"");
 }
 
@@ -105,6 +105,11 @@ template <int dim>
 std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& surface,
                                      const AssemblyParts<dim>& parts) {
   const std::string key = path_key(surface.name);
+  const auto& rolling = parts.interface.rolling;
+  if (!scene.given(key) && rolling)
+    throw InputError(scene.where("rolling.velocity") + ": expected also " + key +
+                     ", the length that passes the contact in a turn: what rolls wears alike all "
+                     "along it");
   if (!scene.given(key)) return {};
   if (!(scene.real(key) > 0))
     throw unfit_track(scene, surface.name,
@@ -119,6 +124,7 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
     throw unfit_track(scene, surface.name, "expected none beside a cycle: a steady motion");
   if (parts.shape.constraint == ConstraintForm::multiplier)
     throw unfit_track(scene, surface.name, "expected shape.constraint = \"eliminated\"");
+  if (rolling) return Track<dim>{{rolling->velocity.normalized()}, scene.real(key)};
   const std::string& body = body_of_track(scene, surface, parts).name;
   const auto motions = read_motions_of_bodies<dim>(scene, parts.section());
   const auto motion = motions.find(body);

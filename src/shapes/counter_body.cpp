@@ -56,7 +56,7 @@ Turned<dim> CounterBody<dim>::place(const PartnerMotion<>& q, double t) const {
 template <int dim>
 Vector<dim> CounterBody<dim>::seen(const Vector<dim>& x, const PartnerMotion<>& q) const {
   Vector<dim> result = x - position;
-  for (Eigen::Index k = 0; k < q.size(); ++k) result -= q[k] * guides[k].along;
+  for (Eigen::Index k = 0; k < q.size(); ++k) result -= guides[k].travelled(q[k]);
   return result;
 }
 
@@ -70,11 +70,13 @@ PartnerMotion<> CounterBody<dim>::given(double t, double within) const {
 
 template <int dim>
 void CounterBody<dim>::come_along(const Vector<dim>& direction) {
-  const bool free = std::ranges::any_of(
-      guides, [](const Guide<dim>& guide) { return guide.force && !guide.turns(); });
+  const bool free = std::ranges::any_of(guides, [](const Guide<dim>& guide) {
+    return guide.force && !guide.turns() && !guide.creeps();
+  });
   std::vector<Guide<dim>*> moving;
   for (Guide<dim>& guide : guides)
-    if (!guide.turns() && (free ? guide.force.has_value() : guide.travel.has_value()))
+    if (!guide.turns() && !guide.creeps() &&
+        (free ? guide.force.has_value() : guide.travel.has_value()))
       moving.push_back(&guide);
   // The shares of least sum of squares.
   Tensor<dim> reached = Tensor<dim>::Zero();
@@ -134,17 +136,19 @@ Partner<dim> CounterBody<dim>::meet(const Vector<dim>& x, const PartnerMotion<>&
   partner.velocity_by.template leftCols<dim>() = motion.spin;
   for (Eigen::Index k = 0; k < count; ++k) {
     const Guide<dim>& guide = guides[k];
-    const Vector<dim> G = guide.turns() ? guide.turn * (at - guide.centre) : guide.along;
+    const Vector<dim> G =
+        guide.turns() ? Vector<dim>(guide.turn * (at - guide.centre)) : guide.travelled(1);
     partner.weights.col(k) = G;
     partner.gap_by[dim + k] = -n.dot(G);
     partner.normal_by.col(dim + k) = guide.turn * n - H * G;
-    partner.velocity_by.col(dim + k) = -motion.spin * guide.along;
-    partner.across_by[dim + k] = -motion.across_by_x.dot(guide.along);
+    partner.velocity_by.col(dim + k) = -motion.spin * guide.travelled(1);
+    partner.across_by[dim + k] = -motion.across_by_x.dot(guide.travelled(1));
     if (!guide.turns()) continue;
     auto& weight_by = partner.weights_by[k];
     weight_by.resize(dim, dim + count);
     weight_by.template leftCols<dim>() = guide.turn;
-    for (Eigen::Index l = 0; l < count; ++l) weight_by.col(dim + l) = -guide.turn * guides[l].along;
+    for (Eigen::Index l = 0; l < count; ++l)
+      weight_by.col(dim + l) = -guide.turn * guides[l].travelled(1);
   }
   return partner;
 }

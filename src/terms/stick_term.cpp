@@ -5,9 +5,10 @@ namespace gnomon {
 
 namespace {
 
-/// lambda | lambda_T | q | q before | u | place before | lambda before | shape of the patch
+/// lambda | lambda_T | q | q before | u | parts of the place before | lambda before | shape of the
+/// patch
 template <int dim>
-inline constexpr int most_columns = 2 + 3 * dim + 2 * most_partner_unknowns + dim* max_patch_nodes;
+inline constexpr int most_columns = 2 + 4 * dim + 2 * most_partner_unknowns + dim* max_patch_nodes;
 
 template <int dim>
 using Dual =
@@ -60,14 +61,17 @@ StickTerm<dim>::StickTerm(const StickState<dim>& state, FieldId d, const Numberi
       d_(d),
       u_numbers_(numbering.nodal<dim>(state.contact.u)),
       d_numbers_(numbering.nodal<dim>(d)),
-      traction_numbers_(numbering.nodal<dim>(state.traction)),
-      memory_numbers_(numbering.nodal<dim>(state.memory)) {
+      traction_numbers_(numbering.nodal<dim>(state.traction)) {
   const ContactState<dim>& contact = state.contact;
-  surfaces_.assign(contact.laws.size(), {contact.parameters, state.rho, state.interval, state.share,
-                                         d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0});
+  surfaces_.assign(contact.laws.size(),
+                   {contact.parameters, state.rho, state.share,
+                    d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0, state.rolling});
   for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].contact.wear = contact.laws[k];
-  if (!is_first()) before_numbers_ = numbering.nodal<dim>(state.u_before);
+  if (state.memory != FieldId::none) memory_numbers_ = numbering.nodal<dim>(state.memory);
   for (int c = 0; c < count(); ++c) {
+    std::vector<int>& before = before_numbers_.emplace_back();
+    for (const PartOfPlace& part : state.before[c])
+      for (int i = 0; i < dim; ++i) before.push_back(numbering.number(part.field, part.row, i));
     lambda_numbers_.push_back(numbering.number(contact.lambda, c));
     lambda_before_numbers_.push_back(numbering.number(state.lambda_before, c));
     first_switch_.push_back(first_switch_.back() + 2 + parameters(c).contact.wear.kinks());
@@ -75,7 +79,7 @@ StickTerm<dim>::StickTerm(const StickState<dim>& state, FieldId d, const Numberi
   const auto guides = static_cast<Eigen::Index>(contact.parameters.counter_body.guides.size());
   for (Eigen::Index k = 0; k < guides; ++k) {
     q_numbers_.push_back(numbering.number(contact.q, k));
-    q_before_numbers_.push_back(is_first() ? -1 : numbering.number(state.q_before, k));
+    q_before_numbers_.push_back(follows_a_phase() ? numbering.number(state.q_before, k) : -1);
   }
 }
 
@@ -106,10 +110,7 @@ std::vector<int> StickTerm<dim>::column_numbers(int c) const {
   append(columns, q_numbers_);
   append(columns, q_before_numbers_);
   append_row(columns, u_numbers_.row(patch.node));
-  if (is_first())
-    append_row(columns, memory_numbers_.row(c));
-  else
-    append_row(columns, before_numbers_.row(patch.node));
+  append(columns, before_numbers_[c]);
   columns.push_back(lambda_before_numbers_[c]);
   for (const int node : patch.nodes) append_row(columns, d_numbers_.row(node));
   return columns;
@@ -165,20 +166,20 @@ StickInput<dim> StickTerm<dim>::gather(const Evaluation<dim>& at, int c) const {
                   motion_.at(at, contact.q),
                   {.time = at.t, .slid = contact.nominal_speed * at.t, .within = at.within}},
       .traction = at.values.vector(state_.traction).row(c).transpose(),
-      .before = {},
+      .before = Vector<dim>::Zero(),
       .lambda_before = at.values.scalar(state_.lambda_before)[c],
-      .carried = state_.carried.row(c).transpose()};
+      .carried = state_.carried.row(c).transpose(),
+      .interval = state_.interval[c],
+      .rubs = !state_.before[c].empty()};
   for (Eigen::Index p = 0; p < size; ++p) {
     const int node = patch.nodes[p];
     input.contact.X.row(p) = contact.mesh.nodes[node].transpose() + d.row(node);
     input.contact.u.row(p) = u.row(node);
   }
-  if (is_first()) {
-    input.before = at.values.vector(state_.memory).row(c).transpose();
-    return input;
-  }
-  input.before = (at.values.vector(state_.u_before).row(patch.node) - state_.carried_before.row(c))
-                     .transpose();
+  for (const PartOfPlace& part : state_.before[c])
+    input.before += part.factor * at.values.vector(part.field).row(part.row).transpose();
+  if (!follows_a_phase()) return input;
+  input.before -= state_.carried_before.row(c).transpose();
   const PartnerMotion<> q = motion_.at(at, state_.q_before);
   const auto& guides = contact.parameters.counter_body.guides;
   for (Eigen::Index k = 0; k < q.size(); ++k) input.before -= q[k] * guides[k].along;
@@ -235,8 +236,9 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
   const StickInput<dim> plain_input = gather(at, c);
   const ContactPatch<dim>& patch = state_.contact.patches[c];
   const auto guides = static_cast<Eigen::Index>(q_numbers_.size());
+  const std::vector<PartOfPlace>& parts = state_.before[c];
   const auto columns =
-      2 + 3 * dim + 2 * guides + dim * static_cast<Eigen::Index>(patch.nodes.size());
+      2 + 2 * dim + 2 * guides + dim * static_cast<Eigen::Index>(parts.size() + patch.nodes.size());
   Variables<dim> variable(columns);
   StickInput<dim, Dual<dim>> input;
   input.contact.lambda = variable.next(plain_input.contact.lambda);
@@ -246,8 +248,10 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
       variable.next_of(PartnerMotion<>(PartnerMotion<>::Zero(guides)));
   input.contact.u = plain_input.contact.u.template cast<Dual<dim>>();
   for (int i = 0; i < dim; ++i) input.contact.u(0, i) = variable.next(plain_input.contact.u(0, i));
-  input.before = variable.next_of(plain_input.before);
-  if (!is_first())
+  input.before = plain_input.before.template cast<Dual<dim>>();
+  for (const PartOfPlace& part : parts)
+    input.before += Dual<dim>(part.factor) * variable.next_of(Vector<dim>(Vector<dim>::Zero()));
+  if (follows_a_phase())
     for (Eigen::Index k = 0; k < guides; ++k)
       input.before -=
           state_.contact.parameters.counter_body.guides[k].along.template cast<Dual<dim>>() *
@@ -256,6 +260,8 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
   input.contact.X = variable.next_of(plain_input.contact.X);
   input.contact.moment = plain_input.contact.moment;
   input.carried = plain_input.carried;
+  input.interval = plain_input.interval;
+  input.rubs = plain_input.rubs;
   const StickNode<dim, Dual<dim>> met(parameters(c), patch, input, branch(at, c));
 
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(1 + 3 * dim + guides, columns);

@@ -13,6 +13,7 @@
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/material.hpp>
 #include <gnomon/terms/mortar_pair.hpp>
+#include <gnomon/terms/rolling.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -120,6 +121,9 @@ struct Interface {
   /// Friction may stick: the phases are a path through a cycle, whose end is that of the last one
   /// (docs/fretting.md); nothing streams.
   bool sticks = false;
+  /// Material streams past the partner, and friction may stick (docs/rolling.md); surfaces without
+  /// a track have no friction.
+  std::optional<Rolling<dim>> rolling{};
   double rho = 1;                 ///< [stress / length]
   std::optional<double> speed{};  ///< that the scene gives, for nominal_speed() [length / time]
 };

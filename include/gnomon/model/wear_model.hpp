@@ -26,6 +26,10 @@ template <int dim>
 CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
                           const std::vector<PhaseContact<dim>>& phases);
 
+/// Appends traction and slip of the contact nodes in a phase, or in rolling.
+template <int dim>
+void add_friction(const std::vector<ContactNode<dim>>& nodes, ContactSurface& surface);
+
 template <int dim>
 class Resultants;
 

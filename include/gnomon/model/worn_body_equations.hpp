@@ -102,7 +102,9 @@ public:
 private:
   FieldSet make_fields();
   void add_friction(const Scales& scales, FieldSet& set);
+  void add_memory(const Scales& scales, FieldSet& set);
   StickState<dim> stick_state(std::size_t phase, double nominal_speed) const;
+  StickState<dim> rolling_state(double nominal_speed) const;
   std::vector<MortarCandidates> candidates_in(const Phase<dim>& phase) const;
   void add_terms(std::vector<TermFactory<dim>>& terms);
   void add(std::vector<TermFactory<dim>>& terms, TermKind kind, std::size_t phase,

@@ -27,6 +27,8 @@ struct RigidMotion {
   /// Of the touching surfaces there, unit: what moves along it does not slide. Zero: not known.
   Vector<dim> normal = Vector<dim>::Zero();
 
+  /// In the plane: within it.
+  bool moves() const { return !velocity.isZero(0) || !spin.isZero(0); }
   template <class Scalar = double>
   Vector<dim, Scalar> at(const Vector<dim, Scalar>& x) const {
     return velocity.template cast<Scalar>() + spin.template cast<Scalar>() * x;
@@ -89,9 +91,17 @@ struct Guide {
   std::optional<double> force = {};
   LoadHistory factors = {};  ///< of the force over time
   double share = 0;          ///< its part in CounterBody::approach
-  std::string key = {};      ///< the table of a scene that describes it
+  /// Beside material that streams past: it does not move the body, but its number is a creepage
+  /// along it times this length (docs/rolling.md); 0: none [length].
+  double creep = 0;
+  std::string key = {};  ///< the table of a scene that describes it
 
   bool turns() const { return along.isZero(0); }
+  bool creeps() const { return creep > 0; }
+  /// How far it moves the body by its number q.
+  Vector<dim> travelled(double q) const {
+    return creeps() ? Vector<dim>(Vector<dim>::Zero()) : Vector<dim>(q * along);
+  }
   bool is_held() const { return !travel && !force; }
 };
 

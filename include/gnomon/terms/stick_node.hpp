@@ -1,13 +1,19 @@
-// One contact node in one phase of a path, with friction that may stick (docs/fretting.md).
+// One contact node in one phase of a path, or in steady rolling, with friction that may stick
+// (docs/fretting.md, docs/rolling.md).
 //
 // The slip is the change of the tangential place of the body on its partner since the phase before,
 //
 //   r = u - c - G q,   Delta = P (r - r_before),   P = 1 - n n'
 //
 // with the displacement c of the partner's surface there in the phase and its unknown translations
-// G q. T follows
-// from the multiplier lambda_T and Delta (laws/stick_friction.hpp). The rows of the multipliers
-// make them equal to lambda_eff and T, so that the force needs no more than
+// G q. In rolling, material comes from upstream in an interval dt, in which the partner goes on by
+//
+//   r = u - c - dt (v^2 - |V| sum_k xi_k e_k)
+//
+// with unknown creepages xi_k along e_k; with small strains c has v^2, and r - r_before is
+// projected on the undeformed surface first. T follows from the multiplier lambda_T and Delta
+// (laws/stick_friction.hpp). The rows of the multipliers make them equal to lambda_eff and T, so
+// that the force needs no more than
 //
 //   force = A (lambda n + lambda_T)      row of u
 //   Wdot  = Wdot(p, v),  p the mean of this phase and the one before,  v = |Delta| / interval
@@ -17,19 +23,34 @@
 
 #include <gnomon/laws/stick_friction.hpp>
 #include <gnomon/terms/contact_node.hpp>
+#include <gnomon/terms/rolling.hpp>
 
 namespace gnomon {
 
-/// Constants of all contact nodes in a phase. Nothing streams.
+/// v^2 of a partner in rolling: that of its motion, or, without one, |V| along its surface.
+template <int dim, class Scalar>
+Vector<dim, Scalar> rolling_velocity(const Rolling<dim>& rolling,
+                                     const ContactKinematics<dim, Scalar>& met,
+                                     const RigidMotion<dim>& motion) {
+  if (motion.moves()) return -met.relative;
+  const Vector<dim, Scalar> V = rolling.velocity.template cast<Scalar>(),
+                            along = V - met.normal * met.normal.dot(V);
+  using std::sqrt;
+  const Scalar square = along.squaredNorm();
+  if (!(square > Scalar(0))) return V;
+  return along * Scalar(Scalar(rolling.velocity.norm()) / sqrt(square));
+}
+
+/// Constants of all contact nodes in a phase.
 template <int dim>
 struct StickParameters {
   ContactParameters<dim> contact;
-  double rho = 1;       ///< of the tangential multiplier [stress / length]
-  double interval = 1;  ///< since the phase before [time]
-  /// Of that in the part of the mean over the cycle that the phase stands for: wear_rate is the
-  /// rate over the interval times this.
+  double rho = 1;  ///< of the tangential multiplier [stress / length]
+  /// Of the interval in the part of the mean over the cycle that the phase stands for: wear_rate is
+  /// the rate over the interval times this.
   double share = 1;
   bool shape_is_unknown = true;  ///< else a node may touch where it could not wear
+  std::optional<Rolling<dim>> rolling{};
 };
 
 template <int dim, class Scalar = double>
@@ -39,6 +60,8 @@ struct StickInput {
   Vector<dim, Scalar> before;                 ///< r of the phase before [length]
   Scalar lambda_before;                       ///< the contact multiplier of that phase [stress]
   Vector<dim> carried = Vector<dim>::Zero();  ///< c [length]
+  double interval = 1;                        ///< since the phase before [time]
+  bool rubs = true;  ///< else it has no friction: where it comes from is not known
 };
 
 struct StickBranch {
@@ -59,6 +82,36 @@ struct StickNode {
             const StickInput<dim, Scalar>& at, const StickBranch& branch = {});
 };
 
+/// G of an unknown of the partner; of a creepage its direction.
+template <int dim, class Scalar>
+Vector<dim> along_guide(const ContactParameters<dim>& of, const ContactKinematics<dim, Scalar>& met,
+                        Eigen::Index k) {
+  const Guide<dim>& guide = of.counter_body.guides[static_cast<std::size_t>(k)];
+  return guide.creeps() ? guide.along : Vector<dim>(met.partner.weights.col(k));
+}
+
+/// What its unknowns, or its rolling, add to c.
+template <int dim, class Scalar>
+Vector<dim, Scalar> moved_partner(const StickParameters<dim>& parameters,
+                                  const StickInput<dim, Scalar>& at,
+                                  const ContactKinematics<dim, Scalar>& met) {
+  const CounterBody<dim>& other = parameters.contact.counter_body;
+  Vector<dim, Scalar> moved = Vector<dim, Scalar>::Zero();
+  if (!parameters.rolling) {
+    for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
+      moved +=
+          along_guide<dim>(parameters.contact, met, k).template cast<Scalar>() * at.contact.q[k];
+    return moved;
+  }
+  if (!parameters.rolling->linear)
+    moved = Scalar(at.interval) * rolling_velocity(*parameters.rolling, met, other.motion);
+  const double passed = at.interval * parameters.rolling->velocity.norm();
+  for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
+    if (const Guide<dim>& guide = other.guides[static_cast<std::size_t>(k)]; guide.creeps())
+      moved -= (guide.along * (passed / guide.creep)).template cast<Scalar>() * at.contact.q[k];
+  return moved;
+}
+
 template <int dim, class Scalar>
 StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
                                   const ContactPatch<dim>& patch, const StickInput<dim, Scalar>& at,
@@ -68,14 +121,18 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   const ContactKinematics<dim, Scalar> met(of, patch, at.contact, branch.contact);
   const NodalSurface<dim, Scalar> surface(patch, at.contact.X, of.normal_rule);
   if (met.contact.active) require_normal(patch, met.partner);
-  place = at.contact.u.row(0).transpose() - at.carried.template cast<Scalar>();
-  for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
-    place -= Vector<dim>(met.partner.weights.col(k)).template cast<Scalar>() * at.contact.q[k];
-  const Vector<dim, Scalar> moved = place - at.before;
+  place = at.contact.u.row(0).transpose() - at.carried.template cast<Scalar>() -
+          moved_partner(parameters, at, met);
+  Vector<dim, Scalar> moved = place - at.before;
+  if (parameters.rolling && parameters.rolling->linear) {
+    const Vector<dim, Scalar> N =
+        Vector<dim>(patch.initial_normal.normalized()).template cast<Scalar>();
+    moved -= N * N.dot(moved);
+  }
   const Vector<dim, Scalar> slip = moved - met.normal * met.normal.dot(moved);
-  const StickFriction<dim, Scalar> friction(at.traction, slip, met.normal,
-                                            Scalar(Scalar(-of.friction) * met.contact.traction),
-                                            parameters.rho, met.contact.active, branch.sticks);
+  const StickFriction<dim, Scalar> friction(
+      at.traction, slip, met.normal, Scalar(Scalar(-of.friction) * met.contact.traction),
+      parameters.rho, met.contact.active && at.rubs, branch.sticks);
   constraint = friction.constraint;
   switching = {plain(Scalar(at.contact.lambda + Scalar(of.rho) * met.gap)), friction.excess};
 
@@ -88,14 +145,13 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   contact.constraint = met.contact.constraint;
   contact.partner.resize(at.contact.q.size());
   for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
-    contact.partner[k] =
-        -Vector<dim>(met.partner.weights.col(k)).template cast<Scalar>().dot(contact.force);
+    contact.partner[k] = -along_guide<dim>(of, met, k).template cast<Scalar>().dot(contact.force);
   contact.slip = slip;
   contact.sticks = friction.sticks;
 
   const Scalar square = slip.squaredNorm();
   Scalar speed(0), pressure = Scalar(-0.5) * met.contact.traction;
-  if (!friction.sticks && square > Scalar(0)) speed = sqrt(square) / Scalar(parameters.interval);
+  if (!friction.sticks && square > Scalar(0)) speed = sqrt(square) / Scalar(at.interval);
   if (at.lambda_before < Scalar(0)) pressure -= Scalar(0.5) * at.lambda_before;
   wear = wear_variables<dim, Scalar>(patch, at.contact, of.friction, pressure, speed);
   contact.wear_rate = Scalar(0);

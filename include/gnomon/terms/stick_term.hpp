@@ -1,6 +1,6 @@
-// Contact with friction that may stick, in one phase of a path, node by node (docs/fretting.md):
-// rows of u, lambda, lambda_T, q and the share of wear in the rows of the shape, as ContactTerm;
-// the last phase of the path has the rows of the memory s beside,
+// Contact with friction that may stick, in one phase of a path or in steady rolling, node by node
+// (docs/fretting.md, docs/rolling.md): rows of u, lambda, lambda_T, q and the share of wear in the
+// rows of the shape, as ContactTerm; the last phase of a path has the rows of the memory s beside,
 //
 //   sdot - (r - s) / period = 0
 //
@@ -13,23 +13,34 @@
 
 namespace gnomon {
 
-/// A phase of a path. What `contact` refers to must outlive the term.
+/// A row of a nodal field, times a factor.
+struct PartOfPlace {
+  FieldId field;
+  Eigen::Index row;
+  double factor = 1;
+};
+
+/// A phase of a path, or steady rolling. What `contact` refers to must outlive the term.
 template <int dim>
 struct StickState {
   ContactState<dim> contact;
   FieldId traction = FieldId::none;  ///< lambda_T, at the contact nodes
-  FieldId memory = FieldId::none;    ///< s, at the contact nodes
   NodalField<dim> carried;           ///< c of the contact nodes [length]
-  /// Of the phase before: its displacement, motion of the partner, and c. Of the first phase none:
-  /// there s is the place before.
-  FieldId u_before = FieldId::none, q_before = FieldId::none;
-  NodalField<dim> carried_before{};
-  FieldId lambda_before = FieldId::none;  ///< of the first phase: that of the last one
-  bool is_last = false;                   ///< of its path: it has the rows of s
-  double rho = 1;                         ///< of lambda_T [stress / length]
-  double interval = 1;                    ///< since the phase before [time]
-  double share = 1;                       ///< StickParameters::share
-  double period = 1;                      ///< of the cycle [time]
+  /// Of each contact node, r before: their sum, without the c and the partner's motion of the phase
+  /// before, which the first phase of a path and rolling have not. None: it has no friction.
+  std::vector<std::vector<PartOfPlace>> before;
+  NodalField<dim> carried_before{};  ///< empty: none
+  FieldId q_before = FieldId::none;  ///< of the partner
+  /// Of the phase before, of the first one that of the last; in rolling, where the pressure does
+  /// not change, that of the state.
+  FieldId lambda_before = FieldId::none;
+  FieldId memory = FieldId::none;  ///< s, at the contact nodes
+  bool is_last = false;            ///< of its path: it has the rows of s
+  double rho = 1;                  ///< of lambda_T [stress / length]
+  std::vector<double> interval;    ///< of each contact node, since the place before [time]
+  double share = 1;                ///< StickParameters::share
+  double period = 1;               ///< of the cycle [time]
+  std::optional<Rolling<dim>> rolling{};
 };
 
 template <int dim>
@@ -50,7 +61,7 @@ public:
 
 private:
   int count() const { return static_cast<int>(state_.contact.patches.size()); }
-  bool is_first() const { return state_.u_before == FieldId::none; }
+  bool follows_a_phase() const { return state_.carried_before.size() > 0; }
   std::vector<int> row_numbers(int c) const;
   std::vector<int> column_numbers(int c) const;
   StickInput<dim> gather(const Evaluation<dim>& at, int c) const;
@@ -71,7 +82,8 @@ private:
   MotionOfPartner<dim> motion_;
   FieldId d_;
   std::vector<StickParameters<dim>> surfaces_;  // of each wearing surface
-  NodalNumbers<dim> u_numbers_, d_numbers_, before_numbers_, traction_numbers_, memory_numbers_;
+  NodalNumbers<dim> u_numbers_, d_numbers_, traction_numbers_, memory_numbers_;
+  std::vector<std::vector<int>> before_numbers_;  // of each contact node
   std::vector<int> lambda_numbers_, lambda_before_numbers_, q_numbers_, q_before_numbers_;
   std::vector<std::size_t> first_switch_ = {0};  // of each node; last: their number
   std::vector<std::vector<int>> map_, memory_map_;

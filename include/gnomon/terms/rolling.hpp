@@ -1,0 +1,25 @@
+// Steady rolling (docs/rolling.md): how material passes the partner.
+#pragma once
+
+#include <gnomon/base/tensor.hpp>
+
+namespace gnomon {
+
+/// Steady rolling: the material of the body streams past the partner, eq. (6), (7).
+template <int dim>
+struct Rolling {
+  Vector<dim> velocity = Vector<dim>::Zero();  ///< V of the material [length / time]
+  /// That of the body's material on the partner, along the surface, by |V|, as a rigid body slides;
+  /// in space it is that at `centre`, and turns about the partner's normal there.
+  Vector<dim> creepage = Vector<dim>::Zero();
+  Vector<dim> centre = Vector<dim>::Zero();  ///< [length]
+  Tensor<dim> spin = Tensor<dim>::Zero();    ///< skew, of the creepage by place [1 / length]
+
+  /// Of bodies with small strains: slopes of the deformed surface are left out, whose squares are
+  /// of the size of the strains' squares.
+  bool linear = false;
+
+  Vector<dim> creepage_at(const Vector<dim>& X) const { return creepage + spin * (X - centre); }
+};
+
+}  // namespace gnomon

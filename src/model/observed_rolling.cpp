@@ -1,0 +1,58 @@
+#include "model/observed_rolling.hpp"
+
+#include <fmt/format.h>
+
+#include "model/upstream.hpp"
+
+namespace gnomon {
+
+/// Material brings and takes as much elastic energy, so that contact forces have no power on it as
+/// it strains; so it is with differences by the nodes on both sides, not with those upwind.
+template <int dim>
+PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<dim>& u,
+                                const std::vector<ContactNode<dim>>& nodes) {
+  PowerOfRolling power;
+  const double speed = assembly.interface.rolling->velocity.norm();
+  double force = 0, rubbing = 0;
+  for (const ContactNode<dim>& node : nodes) force -= node.area * node.traction;
+  for (const Upstream& at : upstream_of(assembly)) {
+    const ContactNode<dim>& node = nodes[static_cast<std::size_t>(assembly.contact_node(at.node))];
+    const Vector<dim> friction = node.force - node.area * node.traction * node.normal;
+    power.dissipated += assembly.copies * speed / at.distance * friction.dot(node.slip);
+    for (const auto& [of, factor] : at.upwind)
+      power.upwind += assembly.copies * speed * factor * friction.dot(u.row(of).transpose());
+    rubbing -= node.area * node.traction;
+    if (node.active && node.sticks) power.stick_area += assembly.copies * node.area;
+  }
+  power.without_friction = force > 0 ? 1 - rubbing / force : 0;
+  return power;
+}
+
+template <int dim>
+void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& u,
+                     const std::vector<ContactNode<dim>>& nodes, const PartnerMotion<>& q,
+                     int units, Observation& observed) {
+  Vector<dim> creepage = assembly.interface.rolling->creepage;
+  const std::vector<Guide<dim>>& guides = assembly.interface.partner.guides;
+  for (std::size_t k = 0; k < guides.size(); ++k)
+    if (guides[k].creeps())
+      creepage += q[static_cast<Eigen::Index>(k)] / guides[k].creep * guides[k].along;
+  for (int i = 0; i < dim; ++i)
+    observed.push_back({fmt::format("creepage_{}", "xyz"[i]), "", creepage[i]});
+  const PowerOfRolling power = power_of_rolling(assembly, u, nodes);
+  observed.push_back(common("friction_power", power.dissipated, units));
+  observed.push_back(common("stick_area", power.stick_area, units));
+}
+
+template PowerOfRolling power_of_rolling(const Assembly<2>&, const NodalField<2>&,
+                                         const std::vector<ContactNode<2>>&);
+template PowerOfRolling power_of_rolling(const Assembly<3>&, const NodalField<3>&,
+                                         const std::vector<ContactNode<3>>&);
+template void observe_rolling(const Assembly<2>&, const NodalField<2>&,
+                              const std::vector<ContactNode<2>>&, const PartnerMotion<>&, int,
+                              Observation&);
+template void observe_rolling(const Assembly<3>&, const NodalField<3>&,
+                              const std::vector<ContactNode<3>>&, const PartnerMotion<>&, int,
+                              Observation&);
+
+}  // namespace gnomon

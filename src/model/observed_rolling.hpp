@@ -1,0 +1,32 @@
+// What steady rolling shows: creepages, stick, and the power that friction dissipates.
+#pragma once
+
+#include <gnomon/model/assembly.hpp>
+#include <gnomon/model/observation.hpp>
+#include <vector>
+
+namespace gnomon {
+
+/// Of the whole body.
+struct PowerOfRolling {
+  double dissipated = 0;  ///< by friction [force length / time]
+  /// The power that differences upwind add: an error of the mesh, the largest of most scenes.
+  double upwind = 0;
+  double stick_area = 0;  ///< [length^(dim-1)]
+  /// Of the contact force, the part on nodes without friction: no material comes to them.
+  double without_friction = 0;
+};
+
+/// `nodes`: the contact nodes of the state.
+template <int dim>
+PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<dim>& u,
+                                const std::vector<ContactNode<dim>>& nodes);
+
+/// Appends creepage_x, ..., friction_power and stick_area. `q`: the motion of the partner; `units`:
+/// as for common().
+template <int dim>
+void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& u,
+                     const std::vector<ContactNode<dim>>& nodes, const PartnerMotion<>& q,
+                     int units, Observation& observed);
+
+}  // namespace gnomon

@@ -1,0 +1,154 @@
+#include "part/rolling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/scene/keys.hpp>
+#include <gnomon/shapes/shape_keys.hpp>
+
+namespace gnomon::part {
+
+std::vector<Key> rolling_keys() {
+  return {reals_key("rolling.velocity", "mm/s", absent("nothing rolls"), {},
+                    "velocity along the surface at which the body's material passes the "
+                    "counter-body, whose surface moves along: steady rolling (docs/rolling.md)"),
+          reals_key("rolling.creepage", "", absent("none"), {},
+                    "velocity of the body's material relative to the counter-body, as rigid "
+                    "bodies, by that of rolling: a vector along the surface"),
+          real_key("rolling.spin", "1/mm", absent("none"), any_quantity,
+                   "in space: the same rotation, about the outward normal of the wearing surface "
+                   "where the bodies first touch")};
+}
+
+bool rolls(const Scene& scene) {
+  return scene.given("rolling.velocity");
+}
+
+namespace {
+
+constexpr double along_surface = 1e-3;  // cosine
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& key, const std::string& expected) {
+  throw InputError(scene.where(key) + ": expected " + expected);
+}
+
+template <int dim>
+Vector<dim> read_along(const Scene& scene, const std::string& key, const Vector<dim>& outward) {
+  const Vector<dim> v = read_point<dim>(scene, key);
+  if (std::abs(v.dot(outward)) > along_surface * v.norm())
+    refuse(scene, key, "a vector along the surfaces of wear.on");
+  return v;
+}
+
+/// Throws where the scene has what steady rolling does not go with.
+void require_steady_state(const Scene& scene) {
+  if (scene.is_set("friction.stick") && !scene.flag("friction.stick"))
+    refuse(scene, "friction.stick", "true or none beside [rolling], where friction may stick");
+  if (scene.text("model.plane") == "axisymmetric")
+    refuse(scene, "model.plane", "\"strain\" beside [rolling]");
+  if (!(scene.real("friction.coefficient") > 0))
+    refuse(scene, "friction.coefficient", "a coefficient above zero beside [rolling]");
+  if (scene.text("shape.constraint") != "eliminated")
+    refuse(scene, "shape.constraint", "\"eliminated\" beside [rolling]");
+}
+
+}  // namespace
+
+template <int dim>
+std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& outward,
+                                         const Vector<dim>& touch) {
+  if (!rolls(scene)) {
+    for (const Key& key : rolling_keys())
+      if (scene.given(key.name)) refuse(scene, key.name, "also rolling.velocity");
+    return {};
+  }
+  require_steady_state(scene);
+  Rolling<dim> rolling{.velocity = read_along<dim>(scene, "rolling.velocity", outward),
+                       .centre = touch};
+  if (!(rolling.velocity.norm() > 0))
+    refuse(scene, "rolling.velocity", "a velocity that is not zero");
+  if (scene.given("rolling.creepage"))
+    rolling.creepage = read_along<dim>(scene, "rolling.creepage", outward);
+  if (!scene.given("rolling.spin")) return rolling;
+  if constexpr (dim == 3)
+    rolling.spin = spin_about(outward, scene.real("rolling.spin"));
+  else
+    refuse(scene, "rolling.spin", "none in the plane");
+  return rolling;
+}
+
+template <int dim>
+void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>& other) {
+  const Vector<dim> creepage = scene.given("rolling.creepage")
+                                   ? read_point<dim>(scene, "rolling.creepage")
+                                   : Vector<dim>(Vector<dim>::Zero());
+  if (other.turning)
+    refuse(scene, "counter_body.motion.rotation",
+           "a counter-body that looks the same while it turns, beside [rolling]");
+  Vector<dim> pressing = Vector<dim>::Zero();
+  for (Guide<dim>& guide : other.guides) {
+    if (guide.turns())
+      refuse(scene, guide.key + ".moment",
+             "a force along the surface in its place, beside "
+             "[rolling]: the moment divided by the radius");
+    if (std::abs(guide.along.dot(outward)) > along_surface) {
+      pressing += guide.force.value_or(guide.travel ? guide.travel->factor(0) : 0) * guide.along;
+      continue;
+    }
+    if (guide.travel)
+      refuse(scene, guide.key + ".approach",
+             "a force along the surface, or rolling.creepage: nothing stays where it is moved to");
+    if (!guide.force) continue;
+    if (std::abs(creepage.dot(guide.along)) > 0)
+      refuse(scene, "rolling.creepage",
+             fmt::format("none along {}.direction, whose force determines it", guide.key));
+    guide.creep = 1;
+    guide.share = 0;
+  }
+  std::ranges::stable_partition(other.guides, [](const auto& guide) { return !guide.creeps(); });
+  if (other.guides.empty() || other.guides.front().creeps())
+    throw InputError(scene.path().string() +
+                     ": [[counter_body.press]]: expected also a direction "
+                     "into the body, beside those along its surface");
+  other.approach = other.guides.front().along;
+  if (!pressing.isZero(0)) other.come_along(pressing);
+}
+
+namespace {
+
+/// Half of the width of the contact, in space of a square [length].
+template <int dim>
+double half_width_of(const Scales& scales) {
+  const double area = scales.force / scales.stress;
+  return (dim == 2 ? area : std::sqrt(area)) / 2;
+}
+
+}  // namespace
+
+template <int dim>
+double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
+  const Rolling<dim>& rolling = *parts.interface.rolling;
+  const double half = half_width_of<dim>(expected.scales),
+               shear = parts.interface.friction * expected.scales.displacement / half,
+               given = rolling.creepage.norm() + half * rolling.spin.norm();
+  return rolling.velocity.norm() * (given > 0 ? given : shear);
+}
+
+template <int dim>
+void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts) {
+  for (Guide<dim>& guide : parts.interface.partner.guides)
+    if (guide.creeps()) guide.creep = half_width_of<dim>(expected.scales);
+}
+
+template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&, const Vector<2>&);
+template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&, const Vector<3>&);
+template void let_creep(const Scene&, const Vector<2>&, CounterBody<2>&);
+template void let_creep(const Scene&, const Vector<3>&, CounterBody<3>&);
+template double speed_of_rolling(const AssemblyParts<2>&, const Magnitudes&);
+template double speed_of_rolling(const AssemblyParts<3>&, const Magnitudes&);
+template void scale_creepages(const Magnitudes&, AssemblyParts<2>&);
+template void scale_creepages(const Magnitudes&, AssemblyParts<3>&);
+
+}  // namespace gnomon::part

@@ -1,0 +1,37 @@
+// Scenes in steady rolling (docs/rolling.md): the table [rolling].
+#pragma once
+
+#include <gnomon/model/magnitudes.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <optional>
+#include <vector>
+
+namespace gnomon::part {
+
+std::vector<Key> rolling_keys();
+
+/// Whether a scene gives a table [rolling].
+bool rolls(const Scene& scene);
+
+/// How the material passes the counter-body, which touches it first at `touch`; nothing without
+/// [rolling]. `outward`: the mean normal of what wears. Throws InputError for what does not go with
+/// it.
+template <int dim>
+std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& outward,
+                                         const Vector<dim>& touch);
+
+/// The guides of a counter-body that lie along the surface are creepages beside [rolling]. Throws
+/// InputError where they are not free, or where rolling.creepage gives them as well.
+template <int dim>
+void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>& other);
+
+/// The speed that scales are made with: by the creepage, or by what friction shears the contact
+/// [length / time].
+template <int dim>
+double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expected);
+
+/// Half of the width of the contact, by which unknown creepages are scaled [length].
+template <int dim>
+void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts);
+
+}  // namespace gnomon::part
