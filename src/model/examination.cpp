@@ -205,7 +205,10 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (assembly().interface.rolling) {
     const PowerOfRolling power =
         power_of_rolling(assembly(), values.vector(equations_.fields().u), contacts.front().nodes);
-    if (power.dissipated > 0) facts.upwind_power = power.upwind / power.dissipated;
+    const double sliding =
+        assembly().copies * assembly().scales.force * assembly().interface.rolling->velocity.norm();
+    constexpr double rounding = 1e-9;
+    if (power.dissipated > rounding * sliding) facts.upwind_power = power.upwind / power.dissipated;
     facts.without_friction = power.without_friction;
   }
   facts.deformation = assembly().scales.displacement;

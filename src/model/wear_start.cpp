@@ -254,6 +254,24 @@ void require_touch(const Assembly<dim>& assembly, const Eigen::VectorXd& multipl
           body_of_part(assembly, part).name));
 }
 
+/// From the equilibrium at the given creepages, that with those that forces determine.
+template <int dim>
+void find_creepage(const WornBodyEquations<dim>& equations, FieldValues<dim>& values,
+                   Counters& counters) {
+  const ComposedSystem<dim> contact(equations.composition(), equations.deformation());
+  std::vector<double> y(contact.structure().size);
+  contact.numbering().gather(values, y);
+  NewtonSolver solver(contact.structure(), counters,
+                      {.max_iterations = 2 * max_iterations, .keep_factors = true});
+  const NewtonReport report = solver.solve(algebraic_function(contact), y);
+  if (!report.converged)
+    throw SolutionError(
+        "no creepage was found at which friction balances the forces along the surface: expected "
+        "less than friction.coefficient times the force on it; " +
+        report.reason);
+  contact.numbering().scatter(y, values);
+}
+
 }  // namespace
 
 template <int dim>
@@ -267,11 +285,12 @@ State WearModel<dim>::start(Counters& counters) const {
     const WornBodyEquations<dim> alone =
         only ? equations_
              : WornBodyEquations<dim>(equations_.shared_assembly(), {equations_.phases()[p]});
-    ComposedSystem<dim> contact(alone.composition(), alone.deformation());
+    ComposedSystem<dim> contact(alone.composition(), alone.without_creepage());
     FieldValues<dim> of_phase(*alone.composition()->fields);
     const RampReport ramp =
         find_equilibrium(alone, contact, ramp_options(assembly()), of_phase, counters);
     if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly(), equations_.phases()[p]));
+    if (alone.without_creepage() != alone.deformation()) find_creepage(alone, of_phase, counters);
     const WornBodyFields &from = alone.fields(), &to = equations_.fields(p);
     require_touch<dim>(assembly(), of_phase.scalar(from.lambda));
     values.vector(to.u) = of_phase.vector(from.u);

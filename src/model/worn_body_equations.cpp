@@ -347,6 +347,14 @@ BlockSelection WornBodyEquations<dim>::deformation() const {
 }
 
 template <int dim>
+BlockSelection WornBodyEquations<dim>::without_creepage() const {
+  BlockSelection selected = deformation();
+  for (std::size_t b = 0; b < selected.size(); ++b)
+    if (composition_->fields->blocks[b].name == "creepage") selected[b] = 0;
+  return selected;
+}
+
+template <int dim>
 const ContactNodes<dim>& WornBodyEquations<dim>::contact(const ComposedSystem<dim>& system,
                                                          std::size_t phase) const {
   return dynamic_cast<const ContactNodes<dim>&>(system.term(contact_terms_[phase]));

@@ -70,7 +70,7 @@ Field multiplier_field(const Assembly<dim>& body, const Scales& scales, int bloc
 /// body by its size.
 template <int dim>
 Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, const Scales& scales,
-                         int block) {
+                         int block, int creepage) {
   const std::vector<std::optional<double>> forces = phase.forces();
   const int at_no_node = static_cast<int>(body.mesh.nodes.size());
   Field w("rigid_motion", std::vector<int>(forces.size(), at_no_node), 1);
@@ -78,7 +78,7 @@ Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, con
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const bool turns = phase.counter_body.guides[k].turns();
     const double arm = turns ? (high - low).maxCoeff() : 1;
-    if (forces[k]) w.block(k, 0) = block;
+    if (forces[k]) w.block(k, 0) = phase.counter_body.guides[k].creeps() ? creepage : block;
     w.row_scale(k, 0) = scales.force * arm;
     w.unknown_scale(k, 0) = scales.displacement / arm;
   }
@@ -147,7 +147,10 @@ FieldSet WornBodyEquations<dim>::make_fields() {
     fields_[p].d = d;
     if (!phases_[p].moves_freely()) continue;
     const int rigid = set.add(of_phase({"rigid_motion", "w", "counter-body", Role::rigid}, p));
-    fields_[p].w = set.add(rigid_motion_field(*assembly_, phases_[p], scales, rigid));
+    const bool creeps = std::ranges::any_of(phases_[p].counter_body.guides, &Guide<dim>::creeps);
+    const int creepage =
+        creeps ? set.add(of_phase({"creepage", "xi", "counter-body", Role::rigid}, p)) : -1;
+    fields_[p].w = set.add(rigid_motion_field(*assembly_, phases_[p], scales, rigid, creepage));
   }
   if (assembly_->interface.sticks || assembly_->interface.rolling) add_friction(scales, set);
   if (assembly_->interface.sticks) add_memory(scales, set);

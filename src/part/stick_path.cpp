@@ -152,7 +152,7 @@ void require_damping(const Scene& scene) {
 
 template <int dim>
 void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {
-  if (!parts.cycle) refuse(scene, "also [cycle]: what sticks is driven to and fro");
+  if (!parts.cycle) refuse(scene, "also [cycle], by which it is driven to and fro, or [rolling]");
   if (!parts.pairs.empty()) refuse(scene, "a counter-body, and no [[pair]] beside it");
   require_damping(scene);
   if (*parts.interface.speed == 0 && reads_in_rates(scene, "s"))

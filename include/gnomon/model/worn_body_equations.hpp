@@ -66,6 +66,8 @@ public:
   const std::vector<KindOfTerm>& kinds() const { return kinds_; }
   /// Equilibrium and contact at a frozen shape: rows 1-3.
   BlockSelection deformation() const;
+  /// The same without unknown creepages: where all nodes slip, these are not determined.
+  BlockSelection without_creepage() const;
   /// q of the counter-body in a phase: the given part and its unknowns.
   PartnerMotion<> partner_motion(const FieldValues<dim>& values, double t,
                                  std::size_t phase = 0) const {

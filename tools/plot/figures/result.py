@@ -162,7 +162,12 @@ class Result:
 
     @property
     def has_phases(self):
-        return self._read("gnomon/phase_pressure") is not None
+        return self._read("gnomon/phase_pressure") is not None and not self.rolls
+
+    @property
+    def rolls(self):
+        """Steady rolling: one state, with traction and slip."""
+        return self._read("gnomon/phase_slip") is not None and not self.has_path
 
     @cached_property
     def phases(self):
@@ -185,6 +190,10 @@ class Result:
     def phase_loop(self, step):
         """At a stored step: one row per phase, place of the counter-body and force that moves it."""
         return self._of_phases("phase_loop", step)
+
+    def phase_traction(self, step):
+        """Of friction on the body, as phase_slip()."""
+        return self._of_phases("phase_traction", step)
 
     def phase_slip(self, step):
         """At a stored step: phases, nodes of the contact surface, components."""

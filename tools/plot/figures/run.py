@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy
 
 from . import critical, cycle, errors, extremes, fretting, groups, history, mesh, output, page, parameters
-from . import pressure, shape, shapes, spectrum, study, style, surface, tables, wear, work
+from . import pressure, rolling, shape, shapes, spectrum, study, style, surface, tables, wear, work
 from .complaints import BadInput, Unsuitable, reason_of
 from .result import Result
 
@@ -22,6 +22,7 @@ RESULT_FIGURES = {
 }
 CYCLE_FIGURES = {"cycle": cycle.draw}  # of results with phases
 PATH_FIGURES = {"fretting": fretting.draw}  # of those where friction may stick
+ROLLING_FIGURES = {"rolling": rolling.draw}
 
 
 # Exceptions that occur when numbers are damaged or do not have the right format.
@@ -143,6 +144,7 @@ def draw_result(path, sink):
     with Result(path) as result:
         drawers = RESULT_FIGURES | (CYCLE_FIGURES if result.has_phases else {})
         drawers |= PATH_FIGURES if result.has_path else {}
+        drawers |= ROLLING_FIGURES if result.rolls else {}
         for name, drawer in drawers.items():
             sink.draw(f"{result.name}-{name}", drawer, result)
 

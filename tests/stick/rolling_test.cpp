@@ -1,0 +1,246 @@
+// Steady rolling: Carter's creepage, wear alike along the surface, limits, derivatives and
+// mistakes.
+#include <gnomon/checks/checks.hpp>
+
+#include "stick/stick_scenes.hpp"
+
+namespace gnomon::stick_test {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+/// A rigid cylinder that rolls on an incompressible half-plane, driven by a force: F. W. Carter
+/// (1926); K. L. Johnson, Contact Mechanics, sec. 8.3.
+struct Carter : Cattaneo {
+  static constexpr double V = 1000, path = 100, Q = ratio * f * P;
+  static double creepage() { return f * (a() - c()) / R; }
+  /// On the counter-body; material enters at -a, and sticks from there.
+  static double traction(double x) { return f * (elliptic(a(), x) - elliptic(c(), x + a() - c())); }
+};
+
+class RollingScenes : public Fretting {
+protected:
+  void SetUp() override {
+    Fretting::SetUp();
+    if (IsSkipped()) return;
+    write_rail("flat.geo", 18, 16, 1.28);
+    write_rail("coarse.geo", 8, 5, 2.4);
+  }
+  /// What rolls wears from end to end.
+  void write_rail(const std::string& name, int half, int layers, double growth) {
+    std::string text = half_plane(half, layers, growth);
+    const std::string middle = "\"surface\") = {4}";
+    text.replace(text.find(middle), middle.size(), "\"surface\") = {4, 5, 8}");
+    folder_.write(name, text);
+  }
+  /// Driven by the force, or by what `rolling` says.
+  static std::string cylinder(const std::string& rolling = "", double nu = Carter::nu) {
+    std::string text = Fretting::cylinder("", nu);
+    text.erase(text.find("[cycle]"));
+    const auto replace = [&text](const std::string& from, const std::string& to) {
+      text.replace(text.find(from), from.size(), to);
+    };
+    replace("time.cycles = 1000", "time.end = 1000.0");
+    replace(", stick = true", "");
+    replace("2.9e-8 }",
+            fmt::format("2.9e-8, surfaces = {{ surface = {{ path = {} }} }} }}", Carter::path));
+    replace("cycle = \"sin(2*pi*tau)\"\n", "");
+    replace("direction = [1.0, 0.0]", "direction = [-1.0, 0.0]");
+    if (!rolling.empty()) text.erase(text.rfind("[[counter_body.press]]"));
+    return text + fmt::format("[rolling]\nvelocity = [{}, 0.0]\n{}\n", Carter::V, rolling);
+  }
+
+  struct Found {
+    double creepage, force, power, flux, stick;
+  };
+  Found found(const std::string& text, const Overrides& overrides = {}) {
+    const auto model = this->model(text, overrides);
+    Counters counters;
+    const State start = model->start(counters);
+    const auto of = [&](const char* name) { return observed(*model, start, name); };
+    iterations_ = counters.newton_iterations;
+    return {of("creepage_x"), -of("guide_x"), of("friction_power"), of("wear_flux"),
+            of("stick_area")};
+  }
+  long iterations_ = 0;
+};
+
+TEST_F(RollingScenes, CartersCreepageTractionsAndPower) {
+  const auto model = this->model(cylinder());
+  Counters counters;
+  const State start = model->start(counters);
+  EXPECT_LE(counters.newton_iterations, 20);
+  EXPECT_NEAR(observed(*model, start, "creepage_x") / Carter::creepage(), 1, 0.05);
+  const double power = Carter::creepage() * Carter::Q * Carter::V;
+  EXPECT_NEAR(observed(*model, start, "friction_power") / power, 1, 0.03);
+  EXPECT_NEAR(observed(*model, start, "stick_area") / (2 * Carter::c()), 1, 0.1);
+  const ContactSurface surface = model->contact(start).value();
+  const auto traction = of_phase(surface, surface.phase_traction, 0, 0),
+             slip = of_phase(surface, surface.phase_slip, 0, 0);
+  int compared = 0;
+  for (std::size_t c = 0; c < surface.node.size(); ++c) {
+    const double x = surface.initial[c][0], edge = -Carter::a() + 2 * Carter::c();
+    if (std::abs(x) > 0.9 * Carter::a() || std::abs(x - edge) < 0.1 * Carter::a()) continue;
+    ++compared;
+    EXPECT_NEAR(-traction[c], Carter::traction(x), 0.03 * Carter::p0()) << x;
+    EXPECT_EQ(std::abs(slip[c]) > 1e-12, x > edge) << x;
+  }
+  EXPECT_GT(compared, 15);
+}
+
+/// The creepage that a force determines, given, needs that force; so does a counter-body that moves
+/// slower by it.
+TEST_F(RollingScenes, ForceAndCreepageDetermineEachOther) {
+  const Found driven = found(cylinder());
+  const Found given = found(cylinder(fmt::format("creepage = [{:.17g}, 0.0]", driven.creepage)));
+  EXPECT_NEAR(given.force / Carter::Q, 1, 1e-8);
+  EXPECT_NEAR(given.power / driven.power, 1, 1e-8);
+  const Found moved = found(cylinder("creepage = [0.0, 0.0]"),
+                            {fmt::format("counter_body.motion.velocity=[{:.17g}, 0.0]",
+                                         Carter::V * (1 - driven.creepage))});
+  EXPECT_NEAR(moved.force / Carter::Q, 1, 1e-6);
+}
+
+/// Backwards, everything is the mirror image.
+TEST_F(RollingScenes, RollingBackwardsIsTheMirrorImage) {
+  const Found there = found(cylinder());
+  const Found back = found(
+      cylinder(), {"rolling.velocity=[-1000.0, 0.0]", "counter_body.press.2.direction=[1.0, 0.0]"});
+  EXPECT_NEAR(back.creepage / there.creepage, -1, 1e-6);
+  EXPECT_NEAR(back.power / there.power, 1, 1e-6);
+}
+
+TEST_F(RollingScenes, FarBeyondStickItSlides) {
+  const double creepage = 20 * Carter::f * Carter::a() / Carter::R;
+  const Found slides = found(cylinder(fmt::format("creepage = [{}, 0.0]", creepage)));
+  EXPECT_EQ(slides.stick, 0);
+  EXPECT_NEAR(slides.force / (Carter::f * Carter::P), 1, 1e-4);
+  EXPECT_NEAR(slides.flux / (Carter::k * Carter::P * creepage * Carter::V), 1, 0.01);
+}
+
+/// The surface recedes as a whole: k times the power of friction by f, all along the path.
+TEST_F(RollingScenes, TheDepthIsTheMeanOverThePath) {
+  for (const char* method : {"esdirk-3", "erk-2", "bdf"}) {
+    const auto model = this->model(cylinder());
+    const ModelRun run = run_model(*model, method, 0, 1e-4, 1000);
+    const double power = observed(*model, run.last(), "friction_power");
+    const double area = Carter::k * power / Carter::f * 1000;
+    EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / area, 1, 1e-5) << method;
+    EXPECT_NEAR(observed(*model, run.last(), "wear_depth") * Carter::path / area, 1, 1e-5);
+  }
+}
+
+/// Finite strains with the same small slopes agree.
+TEST_F(RollingScenes, LargeStrainsTendToSmallOnes) {
+  const Found small = found(cylinder()), finite = found(cylinder(), {"body.material=neo-hookean"});
+  EXPECT_NEAR(finite.creepage / small.creepage, 1, 0.05);
+  EXPECT_NEAR(finite.power / small.power, 1, 0.03);
+}
+
+TEST_F(RollingScenes, SolversAgree) {
+  EXPECT_NEAR(found(cylinder(), {"solver.method=direct"}).creepage /
+                  found(cylinder(), {"solver.method=block"}).creepage,
+              1, 1e-8);
+}
+
+TEST_F(RollingScenes, JacobianEqualsFiniteDifferences) {
+  for (const char* material : {"linear", "neo-hookean"})
+    for (const char* moves : {"[0.0, 0.0]", "[999.0, 0.0]"}) {
+      const auto model = this->model(
+          cylinder("", 0.3), {"mesh.file=coarse.geo", fmt::format("body.material={}", material),
+                              fmt::format("counter_body.motion.velocity={}", moves)});
+      Counters counters;
+      std::vector<double> y = model->start(counters).y;
+      const Structure& structure = model->system().structure();
+      for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] += 0.05 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
+      const ActiveSet branch = active_set(model->system(), 0, y);
+      EXPECT_GT(std::ranges::count(branch, 1), 2);
+      EXPECT_GT(std::ranges::count(branch, 0), 2);
+      check_jacobian(model->system(), 0, y, 0.2, &branch, 1e-4);
+    }
+}
+
+/// In space the ball is dragged along the creepage, and the force turns with it.
+TEST_F(RollingScenes, ABallIsDraggedAlongTheCreepage) {
+  folder_.write("box.geo", R"(SetFactory("OpenCASCADE");
+Box(1) = {-0.4, -0.4, -0.4, 0.8, 0.8, 0.4};
+Transfinite Curve "*" = 9; Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
+Physical Surface("bottom") = {5}; Physical Surface("surface") = {6}; Physical Volume("box") = {1};
+)");
+  const auto box = [](const std::string& rolling) {
+    return fmt::format(R"toml(problem = "worn_body"
+mesh.file = "box.geo"
+body = {{ young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }}
+support = [ {{ on = "bottom" }} ]
+friction = {{ coefficient = 0.3 }}
+wear = {{ on = ["surface"], coefficient = 2.9e-8, surfaces = {{ surface = {{ path = 100.0 }} }} }}
+time.end = 1000.0
+counter_body = {{ shape = "ball", radius = 5.0, center = [0.0, 0.0, 5.0], press = {{ direction = [0.0, 0.0, -1.0], force = 400.0 }} }}
+rolling = {{ velocity = [1000.0, 0.0, 0.0], {} }}
+)toml",
+                       rolling);
+  };
+  const auto guide = [&](const std::string& rolling) {
+    const auto model = this->model(box(rolling));
+    Counters counters;
+    const State start = model->start(counters);
+    return Vector<2>(observed(*model, start, "guide_x"), observed(*model, start, "guide_y"));
+  };
+  const Vector<2> lateral = guide("creepage = [0.0, 1e-3, 0.0]"),
+                  opposite = guide("creepage = [0.0, -1e-3, 0.0]"),
+                  sliding = guide("creepage = [0.3, 0.4, 0.0]"), spin = guide("spin = 2e-2");
+  EXPECT_GT(std::abs(lateral[1]), 5);
+  EXPECT_NEAR(opposite[1] / lateral[1], -1, 1e-6);
+  EXPECT_NEAR(opposite[0] / lateral[0], 1, 1e-6);
+  EXPECT_NEAR(sliding.norm() / (0.3 * 400), 1, 0.01);  // on the slopes of the ball
+  EXPECT_NEAR(sliding[1] / sliding[0], 4.0 / 3, 0.02);
+  EXPECT_GT(std::abs(spin[1]), 1);  // spin alone pushes sideways
+}
+
+TEST_F(RollingScenes, ContactWhereNoMaterialComesFromIsToldOf) {
+  const auto model =
+      this->model(cylinder("creepage = [1e-3, 0.0]"), {"counter_body.center=[-2.0, 6.0]"});
+  Counters counters;
+  const Examination facts = model->examine(model->start(counters));
+  EXPECT_GT(facts.without_friction, 1e-3);
+  EXPECT_THAT(doubts(facts), ::testing::Contains(HasSubstr("without friction")));
+}
+
+TEST_F(RollingScenes, AForceThatFrictionDoesNotBalanceIsRefused) {
+  const auto model = this->model(cylinder(), {"counter_body.press.2.force=12.0"});
+  Counters counters;
+  try {
+    model->start(counters);
+    FAIL() << "more than f P was accepted";
+  } catch (const SolutionError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no creepage was found"));
+  }
+}
+
+TEST_F(RollingScenes, WhatDoesNotGoTogetherIsRefused) {
+  const auto expect = [this](const std::string& text, const Overrides& overrides,
+                             const std::string& part) {
+    EXPECT_THAT(refusal(text, overrides), HasSubstr(part));
+  };
+  expect(cylinder(), {"rolling.creepage=[1e-3, 0.0]"}, "counter_body.press.2.direction");
+  expect(cylinder(), {"rolling.velocity=[0.0, 10.0]"}, "along the surfaces of wear.on");
+  expect(cylinder(), {"rolling.velocity=[0.0, 0.0]"}, "not zero");
+  expect(cylinder(), {"rolling.spin=1.0"}, "none in the plane");
+  expect(cylinder(), {"friction.coefficient=0"}, "above zero");
+  expect(cylinder(), {"friction.stick=false"}, "true or none");
+  expect(cylinder(), {"wear.surfaces.surface.path=0.01"}, "at least the length");
+  expect(cylinder(), {"cycle.period=1.0", "cycle.phases=4", "cycle.x=\"sin(2*pi*tau)\""},
+         "no [cycle]");
+  std::string text = cylinder();
+  text.replace(text.find(", surfaces"),
+               std::string(", surfaces = { surface = { path = 100 } }").size(), "");
+  expect(text, {}, "expected also wear.surfaces.surface.path");
+  text = cylinder("creepage = [1e-3, 0.0]");
+  text.replace(text.find("velocity = [1000, 0.0]"), 22, "");
+  expect(text, {}, "expected also rolling.velocity");
+}
+
+}  // namespace
+}  // namespace gnomon::stick_test
