@@ -9,7 +9,7 @@
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/pairs.hpp"
-#include "part/rolling.hpp"
+#include "part/rolling_scene.hpp"
 #include "part/shape_support.hpp"
 #include "part/supports.hpp"
 

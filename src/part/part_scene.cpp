@@ -21,7 +21,7 @@
 #include "part/pair_cycle.hpp"
 #include "part/pairs.hpp"
 #include "part/phases.hpp"
-#include "part/rolling.hpp"
+#include "part/rolling_scene.hpp"
 #include "part/shape_support.hpp"
 #include "part/stick_path.hpp"
 #include "part/stored_part.hpp"

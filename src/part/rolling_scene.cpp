@@ -1,4 +1,4 @@
-#include "part/rolling.hpp"
+#include "part/rolling_scene.hpp"
 
 #include <fmt/format.h>
 
