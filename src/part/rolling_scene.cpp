@@ -36,7 +36,7 @@ constexpr double along_surface = 1e-3;  // cosine
 
 template <int dim>
 Vector<dim> read_along(const Scene& scene, const std::string& key, const Vector<dim>& outward) {
-  const Vector<dim> v = read_point<dim>(scene, key);
+  Vector<dim> v = read_point<dim>(scene, key);
   if (std::abs(v.dot(outward)) > along_surface * v.norm())
     refuse(scene, key, "a vector along the surfaces of wear.on");
   return v;
@@ -107,7 +107,8 @@ void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>&
     guide.creep = 1;
     guide.share = 0;
   }
-  std::ranges::stable_partition(other.guides, [](const auto& guide) { return !guide.creeps(); });
+  std::stable_partition(other.guides.begin(), other.guides.end(),
+                        [](const Guide<dim>& guide) { return !guide.creeps(); });
   if (other.guides.empty() || other.guides.front().creeps())
     throw InputError(scene.path().string() +
                      ": [[counter_body.press]]: expected also a direction "

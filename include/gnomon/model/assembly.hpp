@@ -117,10 +117,10 @@ struct Interface {
   LoadHistory history{};                        ///< of the force
   Vector<dim> streaming = Vector<dim>::Zero();  ///< V of eq. (7) [length / time]
   NormalRule normal_rule = NormalRule::averaged;
-  double friction = 0;  ///< Coulomb's coefficient mu of eq. (10)
   /// Friction may stick: the phases are a path through a cycle, whose end is that of the last one
   /// (docs/fretting.md); nothing streams.
   bool sticks = false;
+  double friction = 0;  ///< Coulomb's coefficient mu of eq. (10)
   /// Material streams past the partner, and friction may stick (docs/rolling.md); surfaces without
   /// a track have no friction.
   std::optional<Rolling<dim>> rolling{};
