@@ -85,8 +85,7 @@ Motion<dim> read_motion(const Scene& scene, Section section,
   const Meeting<dim> meeting = find_meeting(scene, patches, other, cycle);
   motion.partner = meeting.partner;
   motion.speed = meeting.speed;
-  motion.rolling = read_rolling<dim>(scene, outward_normal(patches),
-                                     meeting.partner.position + meeting.partner.motion.reference);
+  motion.rolling = read_rolling<dim>(scene, outward_normal(patches), motion.partner);
   if (cycle && motion.rolling)
     throw InputError(scene.where("rolling.velocity") + ": expected no [cycle] beside it");
   if (cycle)
@@ -161,6 +160,11 @@ void require_partner(const Scene& scene) {
                      ": expected none beside [[pair]]: the meshes say where the bodies are");
 }
 
+bool has_small_strains(const std::vector<Body>& bodies) {
+  return std::ranges::all_of(
+      bodies, [](const Body& body) { return body.element.kinematics == Kinematics::small; });
+}
+
 /// All parts but the scales and where the shape is held, or all mistakes in them.
 template <int dim>
 AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim>& part) {
@@ -223,10 +227,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
         surface.track = read_track(scene, surface, parts);
       }
   }
-  if (motion.rolling)
-    parts.interface.rolling->linear = std::ranges::all_of(parts.bodies, [](const Body& body) {
-      return body.element.kinematics == Kinematics::small;
-    });
+  if (motion.rolling) parts.interface.rolling->linear = has_small_strains(parts.bodies);
   for (Surface<dim>& surface : parts.interface.surfaces)
     if (motion.rolling) surface.track = read_track(scene, surface, parts);
   if (!motion.phases) return parts;
@@ -260,8 +261,7 @@ void judge_gap(const Magnitudes& expected, AssemblyParts<dim>& parts) {
       "the worn surface is expected to have a slope of about {:.2g}, and a depth of {:.2g} of the "
       "body's size",
       expected.slope, expected.thinning);
-  const bool small = std::ranges::all_of(
-      parts.bodies, [](const Body& body) { return body.element.kinematics == Kinematics::small; });
+  const bool small = has_small_strains(parts.bodies);
   if (parts.shape.gap && !does)
     parts.remarks.push_back(
         fmt::format("wear is a gap: {}; above {:g} and {:g} use shape.motion = \"mesh\"", extent,

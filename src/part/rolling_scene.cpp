@@ -58,7 +58,7 @@ void require_steady_state(const Scene& scene) {
 
 template <int dim>
 std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& outward,
-                                         const Vector<dim>& touch) {
+                                         const CounterBody<dim>& other) {
   if (!rolls(scene)) {
     for (const Key& key : rolling_keys())
       if (scene.given(key.name)) refuse(scene, key.name, "also rolling.velocity");
@@ -66,11 +66,15 @@ std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& 
   }
   require_steady_state(scene);
   Rolling<dim> rolling{.velocity = read_along<dim>(scene, "rolling.velocity", outward),
-                       .centre = touch};
+                       .centre = other.position + other.motion.reference};
   if (!(rolling.velocity.norm() > 0))
     refuse(scene, "rolling.velocity", "a velocity that is not zero");
   if (scene.given("rolling.creepage"))
     rolling.creepage = read_along<dim>(scene, "rolling.creepage", outward);
+  for (const Guide<dim>& guide : other.guides)
+    if (guide.creeps() && rolling.creepage.dot(guide.along) != 0)
+      refuse(scene, "rolling.creepage",
+             fmt::format("none along {}.direction, whose force determines it", guide.key));
   if (!scene.given("rolling.spin")) return rolling;
   if constexpr (dim == 3)
     rolling.spin = spin_about(outward, scene.real("rolling.spin"));
@@ -81,9 +85,6 @@ std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& 
 
 template <int dim>
 void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>& other) {
-  const Vector<dim> creepage = scene.given("rolling.creepage")
-                                   ? read_point<dim>(scene, "rolling.creepage")
-                                   : Vector<dim>(Vector<dim>::Zero());
   if (other.turning)
     refuse(scene, "counter_body.motion.rotation",
            "a counter-body that looks the same while it turns, beside [rolling]");
@@ -101,9 +102,6 @@ void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>&
       refuse(scene, guide.key + ".approach",
              "a force along the surface, or rolling.creepage: nothing stays where it is moved to");
     if (!guide.force) continue;
-    if (std::abs(creepage.dot(guide.along)) > 0)
-      refuse(scene, "rolling.creepage",
-             fmt::format("none along {}.direction, whose force determines it", guide.key));
     guide.creep = 1;
     guide.share = 0;
   }
@@ -143,8 +141,10 @@ void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts) {
     if (guide.creeps()) guide.creep = half_width_of<dim>(expected.scales);
 }
 
-template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&, const Vector<2>&);
-template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&, const Vector<3>&);
+template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&,
+                                                const CounterBody<2>&);
+template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&,
+                                                const CounterBody<3>&);
 template void let_creep(const Scene&, const Vector<2>&, CounterBody<2>&);
 template void let_creep(const Scene&, const Vector<3>&, CounterBody<3>&);
 template double speed_of_rolling(const AssemblyParts<2>&, const Magnitudes&);

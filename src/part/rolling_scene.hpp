@@ -13,15 +13,15 @@ std::vector<Key> rolling_keys();
 /// Whether a scene gives a table [rolling].
 bool rolls(const Scene& scene);
 
-/// How the material passes the counter-body, which touches it first at `touch`; nothing without
-/// [rolling]. `outward`: the mean normal of what wears. Throws InputError for what does not go with
-/// it.
+/// How the material passes the counter-body, which knows where it touches first and what creeps
+/// (let_creep()); nothing without [rolling]. `outward`: the mean normal of what wears. Throws
+/// InputError for what does not go with it, also for a creepage that a force determines.
 template <int dim>
 std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& outward,
-                                         const Vector<dim>& touch);
+                                         const CounterBody<dim>& other);
 
 /// The guides of a counter-body that lie along the surface are creepages beside [rolling]. Throws
-/// InputError where they are not free, or where rolling.creepage gives them as well.
+/// InputError where they are not free.
 template <int dim>
 void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>& other);
 

@@ -99,8 +99,7 @@ Vector<dim, Scalar> moved_partner(const StickParameters<dim>& parameters,
   Vector<dim, Scalar> moved = Vector<dim, Scalar>::Zero();
   if (!parameters.rolling) {
     for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
-      moved +=
-          along_guide<dim>(parameters.contact, met, k).template cast<Scalar>() * at.contact.q[k];
+      moved += Vector<dim>(met.partner.weights.col(k)).template cast<Scalar>() * at.contact.q[k];
     return moved;
   }
   if (!parameters.rolling->linear)
