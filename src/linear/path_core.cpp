@@ -20,7 +20,7 @@ namespace gnomon {
 namespace {
 
 /// Solves J z = r in the unknowns u_p (displacements), y_p (multipliers of closed nodes, normal and
-/// tangential, and rigid motions) of the phases p, and g (shape of the worn surface, and memory).
+/// tangential, of pairs their places on the partner, and rigid motions) of the phases p, and g (shape of the worn surface, and memory).
 /// Indices of J are rows and columns; J_ug is neglected. K is the mean stiffness of the phases, and
 /// the only matrix that is factorized: multipliers press nodes, but make no springs (StickTerm).
 ///
@@ -121,15 +121,20 @@ private:
     return solves / (1 + 2 * column_cost_ * static_cast<double>(stiffness_.owners()));
   }
 
-  /// Contact nodes are the points: those that carry a multiplier. Returns the numbers of their
-  /// displacements in the block of the stiffness.
+  /// Nodes that a multiplier presses are the points. Returns the numbers of their displacements in
+  /// the block of the stiffness.
   std::vector<NodeUnknowns> find_points() {
     using Kind = Place::Kind;
     std::map<int, int> point_of;
     const auto role = [this](int i) { return structure_.block_of(i).role; };
-    for (int i = 0; i < structure_.size; ++i)
-      if (role(i) == Role::multiplier)
-        point_of.try_emplace(structure_.group[i], static_cast<int>(point_of.size()));
+    const SparsePattern& pattern = structure_.pattern;
+    for (int i = 0; i < structure_.size; ++i) {
+      if (role(i) != Role::multiplier) continue;
+      point_of.try_emplace(structure_.group[i], static_cast<int>(point_of.size()));
+      for (int k = pattern.column_start[i]; k < pattern.column_start[i + 1]; ++k)
+        if (const int row = pattern.row_index[k]; role(row) == Role::stiffness)
+          point_of.try_emplace(structure_.group[row], static_cast<int>(point_of.size()));
+    }
     std::vector<NodeUnknowns> numbers(point_of.size(), {-1, -1, -1});
     for (int i = 0; i < structure_.size; ++i) {
       Place& place = place_[i];

@@ -150,6 +150,12 @@ template std::vector<Phase<3>> path_phases(const std::vector<CyclePoint>&, const
 template <int dim>
 Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
                        const Phase<dim>& phase, const Vector<dim>& X) {
+  if (!phase.places.empty()) {
+    const auto place = [&](std::size_t side) {
+      return phase.places[static_cast<std::size_t>(motion.sliding[side])];
+    };
+    return place(0).turn.transpose() * (place(1).of(X) - place(0).of(X));
+  }
   Vector<dim> carried = phase.counter_body.position - rest.position;
   if (!motion.cycle.rotation) return carried;
   // The surface slides by along a node that stays where it is: by the arc, not by its chord.

@@ -39,13 +39,30 @@ void WearModel<dim>::add_path(const FieldValues<dim>& values, double t, std::siz
   append<dim>(surface.phase_loop, force);
 }
 
+namespace {
+
+/// Coulomb's coefficient by contact node.
+template <int dim>
+std::vector<double> friction_at(const Assembly<dim>& assembly) {
+  std::vector<double> friction(assembly.contact_nodes.size(), assembly.interface.friction);
+  for (const MortarPair<dim>& pair : assembly.pairs)
+    for (const auto& facet : pair.slave)
+      for (const int node : facet)
+        friction[static_cast<std::size_t>(assembly.contact_node(node))] = pair.friction;
+  return friction;
+}
+
+}  // namespace
+
 template <int dim>
 CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
                           const std::vector<PhaseContact<dim>>& phases) {
   constexpr double creeping = 1e-3;  // of the longest path: a node at its limit of friction
   CycleOfSlip result;
+  const std::vector<double> friction = friction_at(assembly);
   std::vector<double> paths, areas;  // of the nodes that touch
   for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c) {
+    if (!assembly.carries[c]) continue;
     double path = 0;
     bool touches = false;
     for (std::size_t p = 0; p < phases.size(); ++p) {
@@ -54,7 +71,7 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
       touches = touches || now.active;
       if (now.sticks || !(now.active || before.active)) continue;
       path += now.slip.norm();
-      result.work -= assembly.copies * now.area * assembly.interface.friction * now.slip.norm() *
+      result.work -= assembly.copies * now.area * friction[c] * now.slip.norm() *
                      (now.traction + before.traction) / 2;
     }
     if (!touches) continue;

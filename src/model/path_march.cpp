@@ -27,12 +27,20 @@ struct PathMarch<dim>::Alone {
     system.freeze(values, t);
   }
   const WornBodyFields& fields() const { return equations.fields(); }
-  NodalField<dim> places(std::span<const double> y) const {
-    return equations.places(system, system.values(t, y), t);
+  NodalField<dim> places(const FieldValues<dim>& of) const {
+    return equations.places(system, of, t);
   }
   void remember(const NodalField<dim>& place) {
     values.vector(fields().memory) = place;
     system.freeze(values, t);
+  }
+  /// Where a solution y is, from which the next one goes on.
+  void go_on_from(std::span<double> y) {
+    FieldValues<dim> of = system.values(t, y);
+    remember(places(of));
+    if (fields().place == FieldId::none) return;
+    of.vector(fields().place) = values.vector(fields().memory);
+    system.numbering().gather(of, y);
   }
 };
 
@@ -63,7 +71,7 @@ void PathMarch<dim>::load() {
   options.largest = increment;
   const RampReport ramp =
       find_equilibrium(alone.equations, alone.system, options, alone.values, counters_,
-                       [&alone](std::span<const double> y) { alone.remember(alone.places(y)); });
+                       [&alone](std::span<double> y) { alone.go_on_from(y); });
   if (ramp.reached < 1) throw SolutionError(failure_of(ramp, whole_.assembly(), begin));
   keep(alone, begin);
   advance([&begin](double part) { return with_tangential(begin, part); });
@@ -85,7 +93,7 @@ void PathMarch<dim>::keep(const Alone& alone, const Phase<dim>& phase) {
   last_.lambda = alone.values.scalar(fields.lambda);
   if (fields.w != FieldId::none) last_.w = alone.values.scalar(fields.w);
   last_.carried = whole_.carried(phase);
-  last_.place = alone.equations.places(alone.system, alone.values, t_);
+  last_.place = alone.places(alone.values);
 }
 
 /// To the last of the phases on the way.
@@ -121,6 +129,7 @@ void PathMarch<dim>::follow(std::size_t p) {
   values_.vector(to.u) = last_.u;
   values_.vector(to.traction) = last_.traction;
   values_.scalar(to.lambda) = last_.lambda;
+  if (to.place != FieldId::none) values_.vector(to.place) = last_.place;
   if (to.w != FieldId::none) values_.scalar(to.w) = last_.w;
 }
 
@@ -130,34 +139,54 @@ double PathMarch<dim>::shear() const {
   return whole_.assembly().interface.friction * whole_.assembly().scales.displacement;
 }
 
+/// How far the partner of every contact node goes on to a phase, where the bodies stay as they are.
+template <int dim>
+NodalField<dim> PathMarch<dim>::way_to(const Phase<dim>& phase) const {
+  if (whole_.assembly().pairs.empty()) return whole_.carried(phase) - last_.carried;
+  Alone there(*this, phase);
+  start_from_last(there);
+  return last_.place - there.places(there.values);
+}
+
 /// Whether most of the way to a phase is slip.
 template <int dim>
 bool PathMarch<dim>::is_far(const Phase<dim>& phase) const {
   constexpr double many = 30;
-  const NodalField<dim> carried = whole_.carried(phase) - last_.carried;
-  return carried.rowwise().norm().maxCoeff() > many * shear();
+  return way_to(phase).rowwise().norm().maxCoeff() > many * shear();
+}
+
+template <int dim>
+void PathMarch<dim>::start_from_last(Alone& alone) const {
+  constexpr double inside = 0.99;  // of the limit of friction
+  const WornBodyFields& fields = alone.fields();
+  alone.values.vector(fields.u) = last_.u;
+  alone.values.vector(fields.traction) = inside * last_.traction;
+  alone.values.scalar(fields.lambda) = last_.lambda;
+  if (fields.place != FieldId::none) alone.values.vector(fields.place) = last_.place;
+  if (fields.w != FieldId::none) alone.values.scalar(fields.w) = last_.w;
+  alone.remember(last_.place);
 }
 
 /// The state of the last phase, carried by the partner: wholly, so that all closed nodes begin as
-/// stuck, or by no more than friction shears the contact, where they slip by far.
+/// stuck, or by no more than friction shears the contact, where they slip by far. Of pairs the
+/// place on the partner alone says so.
 template <int dim>
 void PathMarch<dim>::guess(Alone& alone, const Phase<dim>& phase, Carried by) const {
-  constexpr double inside = 0.99;  // of the limit of friction
   const WornBodyFields& fields = alone.fields();
-  NodalField<dim>& u = alone.values.vector(fields.u);
-  u = last_.u;
   const Assembly<dim>& assembly = whole_.assembly();
-  NodalField<dim> carried = whole_.carried(phase) - last_.carried;
+  start_from_last(alone);
+  if (!assembly.pairs.empty()) {
+    if (by == Carried::by_shear) alone.values.vector(fields.place) = alone.places(alone.values);
+    return;
+  }
+  NodalField<dim>& u = alone.values.vector(fields.u);
+  NodalField<dim> carried = way_to(phase);
   const double most = carried.rowwise().norm().maxCoeff();
   if (by == Carried::by_shear && most > shear()) carried *= shear() / most;
   for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c)
     for (int i = 0; i < dim; ++i)
       if (const int node = assembly.contact_nodes[c].node; !assembly.supports.held(node, i))
         u(node, i) += carried(static_cast<Eigen::Index>(c), i);
-  alone.values.vector(fields.traction) = inside * last_.traction;
-  alone.values.scalar(fields.lambda) = last_.lambda;
-  if (fields.w != FieldId::none) alone.values.scalar(fields.w) = last_.w;
-  alone.remember(last_.place);
 }
 
 /// From the values at hand, which become the solution.

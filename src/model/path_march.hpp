@@ -19,7 +19,7 @@ public:
     NodalField<dim> u, traction;
     NodalField<dim> place;  ///< r, of every contact node
     Eigen::VectorXd lambda, w;
-    NodalField<dim> carried;  ///< c, of every contact node
+    NodalField<dim> carried;  ///< c, of every contact node; of pairs not read
   };
 
   /// The path of these equations, at this shape and time; equations and counters must outlive it.
@@ -41,7 +41,9 @@ private:
   void advance(const OnTheWay& on_the_way);
   void follow(std::size_t phase);
   double shear() const;
+  NodalField<dim> way_to(const Phase<dim>& phase) const;
   bool is_far(const Phase<dim>& phase) const;
+  void start_from_last(Alone& alone) const;
   enum class Carried { wholly, by_shear };
   void guess(Alone& alone, const Phase<dim>& phase, Carried by) const;
   bool solve(Alone& alone, std::string& reason);

@@ -162,7 +162,7 @@ template <int dim>
 RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& contact,
                             const RampOptions& options, FieldValues<dim>& values,
                             Counters& counters,
-                            const std::function<void(std::span<const double> y)>& passed) {
+                            const std::function<void(std::span<double> y)>& passed) {
   // One solver at a time, because each holds factors. Most ramps reach the whole load at once and
   // need only the exact solver.
   std::optional<NewtonSolver> solver;
@@ -309,11 +309,11 @@ template RampOptions ramp_options(const Assembly<2>&);
 template RampOptions ramp_options(const Assembly<3>&);
 template RampReport find_equilibrium(const WornBodyEquations<2>&, ComposedSystem<2>&,
                                      const RampOptions&, FieldValues<2>&, Counters&,
-                                     const std::function<void(std::span<const double>)>&);
+                                     const std::function<void(std::span<double>)>&);
 template std::string failure_of(const RampReport&, const Assembly<2>&, const Phase<2>&);
 template RampReport find_equilibrium(const WornBodyEquations<3>&, ComposedSystem<3>&,
                                      const RampOptions&, FieldValues<3>&, Counters&,
-                                     const std::function<void(std::span<const double>)>&);
+                                     const std::function<void(std::span<double>)>&);
 template std::string failure_of(const RampReport&, const Assembly<3>&, const Phase<3>&);
 template State WearModel<2>::start(Counters&) const;
 template State WearModel<3>::start(Counters&) const;

@@ -55,7 +55,7 @@ template <int dim>
 RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& contact,
                             const RampOptions& options, FieldValues<dim>& values,
                             Counters& counters,
-                            const std::function<void(std::span<const double> y)>& passed = {});
+                            const std::function<void(std::span<double> y)>& passed = {});
 
 /// Values of all fields over the second cycle of a path, with the memory at its beginning, at the
 /// initial shape (docs/fretting.md): the load grows where the path begins, and two cycles follow,

@@ -7,7 +7,6 @@
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/condensed_body.hpp>
 #include <gnomon/terms/contact_term.hpp>
-#include <gnomon/terms/mortar_term.hpp>
 #include <gnomon/terms/pressure_load.hpp>
 #include <gnomon/terms/shape_evolution.hpp>
 #include <gnomon/terms/shape_multiplier.hpp>
@@ -162,6 +161,21 @@ StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nomina
   return state;
 }
 
+template <int dim>
+MortarPath WornBodyEquations<dim>::mortar_path(std::size_t p) const {
+  const WornBodyFields& fields = fields_[p];
+  const double period = assembly_->cycle->motion.cycle.period;
+  return {.traction = fields.traction,
+          .place = fields.place,
+          .before = p == 0 ? fields.memory : fields_[p - 1].place,
+          .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
+          .memory = fields.memory,
+          .is_last = p + 1 == phases_.size(),
+          .interval = phases_[p].interval * period,
+          .share = phases_[p].interval / phases_[p].weight,
+          .period = period};
+}
+
 /// The place before is where the material upstream is, by differences of second order.
 template <int dim>
 StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) const {
@@ -202,6 +216,25 @@ StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) cons
   return state;
 }
 
+/// Of a phase.
+template <int dim>
+TermFactory<dim> WornBodyEquations<dim>::contact_of(std::size_t p, double speed) const {
+  const Assembly<dim>& of = *assembly_;
+  const FieldId d = fields().d;
+  if (!of.pairs.empty()) {
+    MortarState<dim> state =
+        mortar_state(of, phases_[p], fields_[p], speed, candidates_in(phases_[p]));
+    if (of.interface.sticks) state.path = mortar_path(p);
+    return [state](const Numbering& n) { return std::make_unique<MortarTerm<dim>>(state, n); };
+  }
+  if (of.interface.sticks || of.interface.rolling)
+    return [state = of.interface.sticks ? stick_state(p, speed) : rolling_state(speed),
+            d](const Numbering& n) { return std::make_unique<StickTerm<dim>>(state, d, n); };
+  return [state = contact_state(of, phases_[p], fields_[p], speed), d](const Numbering& n) {
+    return std::make_unique<ContactTerm<dim>>(state, d, n);
+  };
+}
+
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
@@ -218,23 +251,9 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
           return std::make_unique<ShapeMultiplier<dim>>(of->mesh, of->shape.along, of->shape.law,
                                                         of->contact_nodes, numbering, f.d, f.mu);
         });
-  const double speed = assembly_->nominal_speed();
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     contact_terms_.push_back(terms.size());
-    add(terms, TermKind::contact, p,
-        [of = assembly_, phase = phases_[p], f = fields_[p], speed,
-         stick = assembly_->interface.sticks    ? std::optional(stick_state(p, speed))
-                 : assembly_->interface.rolling ? std::optional(rolling_state(speed))
-                                                : std::nullopt,
-         candidates =
-             candidates_in(phases_[p])](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
-          if (stick) return std::make_unique<StickTerm<dim>>(*stick, f.d, numbering);
-          if (!of->pairs.empty())
-            return std::make_unique<MortarTerm<dim>>(mortar_state(*of, phase, f, speed, candidates),
-                                                     numbering);
-          return std::make_unique<ContactTerm<dim>>(contact_state(*of, phase, f, speed), f.d,
-                                                    numbering);
-        });
+    add(terms, TermKind::contact, p, contact_of(p, assembly_->nominal_speed()));
   }
   add(terms, TermKind::evolution, 0, [of = assembly_, f = fields()](const Numbering& numbering) {
     return std::make_unique<ShapeEvolution<dim>>(numbering, of->contact_nodes, f.d);
@@ -371,7 +390,7 @@ template <int dim>
 NodalField<dim> WornBodyEquations<dim>::places(const ComposedSystem<dim>& system,
                                                const FieldValues<dim>& values, double t,
                                                std::size_t phase) const {
-  return dynamic_cast<const StickTerm<dim>&>(contact(system, phase))
+  return dynamic_cast<const PlacesOnPartner<dim>&>(contact(system, phase))
       .places(system.evaluation({.t = t, .y = {}}, values, contact_terms_[phase]));
 }
 

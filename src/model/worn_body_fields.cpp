@@ -183,7 +183,7 @@ void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
   }
 }
 
-/// s of a path.
+/// s of a path and, of pairs, r of each phase.
 template <int dim>
 void WornBodyEquations<dim>::add_memory(const Scales& scales, FieldSet& set) {
   const double slip = slip_scale(*assembly_, phases_, scales);
@@ -198,6 +198,17 @@ void WornBodyEquations<dim>::add_memory(const Scales& scales, FieldSet& set) {
   memory.unknown_scale.setConstant(slip);
   const FieldId s = set.add(std::move(memory));
   for (WornBodyFields& fields : fields_) fields.memory = s;
+  for (std::size_t p = 0; !assembly_->pairs.empty() && p < phases_.size(); ++p) {
+    const int places = set.add({.name = "place_on_partner",
+                                .symbol = "r",
+                                .where = "contact nodes",
+                                .role = Role::friction,
+                                .owner = static_cast<int>(p)});
+    Field place = contact_vectors(*assembly_, "place_on_partner", places);
+    place.row_scale.setConstant(slip);
+    place.unknown_scale.setConstant(slip);
+    fields_[p].place = set.add(std::move(place));
+  }
 }
 
 template FieldSet WornBodyEquations<2>::make_fields();

@@ -10,6 +10,7 @@
 #include "model/connected_parts.hpp"
 #include "part/part_cycle.hpp"
 #include "part/phases.hpp"
+#include "part/stick_path.hpp"
 
 namespace gnomon::part {
 
@@ -144,7 +145,9 @@ void read_phases_of_pairs(const Scene& scene, AssemblyParts<dim>& parts) {
   if (!parts.cycle) return;
   CyclicMotion<dim> motion = parts.cycle->motion;
   choose_sliding_point(parts, motion);
-  ReadPhases<dim> read = read_phases<dim>(scene, motion, parts.interface.partner, {});
+  ReadPhases<dim> read = parts.interface.sticks
+                             ? read_path<dim>(scene, motion, parts.interface.partner, {})
+                             : read_phases<dim>(scene, motion, parts.interface.partner, {});
   parts.cycle = read.contact;
   parts.phases = std::move(read.phases);
   parts.remarks.insert(parts.remarks.end(), read.remarks.begin(), read.remarks.end());

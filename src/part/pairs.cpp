@@ -32,7 +32,12 @@ std::vector<Key> keys_of_pairs() {
           texts_key("pair.#.surfaces", absent("all boundary that faces the other body"),
                     "groups of the mesh to which their contact is restricted"),
           real_key("pair.#.friction", "", absent("friction.coefficient"), {.min = 0, .max = 1e30},
-                   "Coulomb's coefficient of friction of the pair, in gross sliding")};
+                   "Coulomb's coefficient of friction of the pair"),
+          {.name = "pair.#.stick",
+           .kind = KeyKind::flag,
+           .absent_meaning = "friction.stick",
+           .help = "the pair may stick in a part of the cycle, as in fretting: the same of all "
+                   "pairs (docs/fretting.md)"}};
 }
 
 }  // namespace
@@ -70,6 +75,20 @@ void require_two_bodies(const Scene& scene, const std::string& pair) {
 }
 
 }  // namespace
+
+bool may_stick(const Scene& scene) {
+  const bool all = scene.flag("friction.stick");
+  if (!has_pairs(scene)) return all;
+  const std::vector<std::string> pairs = entries_of(scene, "pair", keys_of_pairs(), {"bodies"});
+  const auto of = [&](const std::string& pair) {
+    const std::string key = pair + ".stick";
+    return scene.given(key) ? scene.flag(key) : all;
+  };
+  for (const std::string& pair : pairs)
+    if (of(pair) != of(pairs.front()))
+      throw InputError(scene.where(pair + ".stick") + ": expected the same in every [[pair]]");
+  return of(pairs.front());
+}
 
 void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
   if (!has_pairs(scene)) return;

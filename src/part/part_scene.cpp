@@ -89,7 +89,7 @@ Motion<dim> read_motion(const Scene& scene, Section section,
   if (cycle && motion.rolling)
     throw InputError(scene.where("rolling.velocity") + ": expected no [cycle] beside it");
   if (cycle)
-    motion.phases = scene.flag("friction.stick")
+    motion.phases = may_stick(scene)
                         ? read_path(scene, *cycle, motion.partner, motion.force)
                         : read_phases(scene, *cycle, motion.partner, motion.force);
   return motion;
@@ -210,7 +210,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
                                          .force = motion.force,
                                          .history = motion.history,
                                          .normal_rule = read_normal_rule(scene),
-                                         .sticks = scene.flag("friction.stick") && !motion.rolling,
+                                         .sticks = may_stick(scene) && !motion.rolling,
                                          .friction = scene.real("friction.coefficient"),
                                          .rolling = motion.rolling,
                                          .speed = motion.speed},
@@ -354,7 +354,7 @@ template <int dim>
 std::unique_ptr<Model> model_of(const Scene& scene, const ImportedBody<dim>& part) {
   const auto with = [&](long phases) { return read_part<dim>(with_phases(scene, phases), part); };
   return std::make_unique<WearModel<dim>>(!chooses_phases(scene) ? read_part<dim>(scene, part)
-                                          : scene.flag("friction.stick")
+                                          : may_stick(scene)
                                               ? with_chosen_path<dim>(scene, with)
                                               : with_chosen_phases<dim>(scene, with));
 }

@@ -21,11 +21,23 @@ std::vector<const CycleFunction*> functions_of(const Cycle& cycle) {
   return result;
 }
 
+/// Of the counter-body, or of all bodies.
+template <int dim>
+std::vector<const Cycle*> cycles_of(const CyclicMotion<dim>& motion) {
+  std::vector<const Cycle*> result = {&motion.cycle};
+  for (const BodyCycle<dim>& body : motion.bodies) result.push_back(&body.cycle);
+  return result;
+}
+
 /// Positions in [0, 1) at which a function of the cycle turns, jumps or has a corner.
 template <int dim>
 std::vector<double> extremes_of(const CyclicMotion<dim>& motion) {
-  std::vector<const CycleFunction*> functions = functions_of(motion.cycle);
-  std::vector<double> found = motion.cycle.kinks();
+  std::vector<const CycleFunction*> functions;
+  std::vector<double> found;
+  for (const Cycle* cycle : cycles_of(motion)) {
+    for (const CycleFunction* function : functions_of(*cycle)) functions.push_back(function);
+    found = merged_kinks(std::move(found), cycle->kinks());
+  }
   for (const auto& force : motion.forces) {
     if (!force) continue;
     functions.push_back(&*force);
@@ -43,6 +55,20 @@ std::vector<double> extremes_of(const CyclicMotion<dim>& motion) {
   throw InputError(scene.where("friction.stick") + ": expected " + expected);
 }
 
+/// Of the counter-body or of a body of pairs.
+template <int dim>
+void require_closed_path(const Scene& scene, const Cycle& cycle, const CycleAxis<dim>& axis) {
+  if (axis.meridian)
+    refuse(scene, "no cycle.rotation in an axisymmetric scene: a path stays in the plane");
+  constexpr double rounding = 1e-6;
+  if (const auto& rotation = cycle.rotation; rotation && std::abs(rotation->gap()) > rounding)
+    refuse(scene, "a rotation that ends where it begins, not whole turns");
+  if (dim == 2 && cycle.displacement[2])
+    refuse(scene, "no cycle.z beside it: in plane strain a path stays in the plane");
+  if (const std::vector<std::string> open = cycle.remarks(); !open.empty())
+    refuse(scene, "a motion that ends where it begins; " + open.front());
+}
+
 /// The number of phases, or given positions as extremes.
 std::vector<CyclePoint> points_of(const Scene& scene, std::vector<double> extremes) {
   const std::vector<double>& phases = scene.reals("cycle.phases");
@@ -56,14 +82,12 @@ std::vector<CyclePoint> points_of(const Scene& scene, std::vector<double> extrem
 template <int dim>
 ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
                           const CounterBody<dim>& rest, std::optional<double> force) {
-  if (motion.axis.meridian)
-    refuse(scene, "no cycle.rotation in an axisymmetric scene: a path stays in the plane");
-  constexpr double rounding = 1e-6;
-  if (const auto& rotation = motion.cycle.rotation;
-      rotation && std::abs(rotation->gap()) > rounding)
-    refuse(scene, "a rotation that ends where it begins, not whole turns");
-  if (dim == 2 && motion.cycle.displacement[2])
-    refuse(scene, "no cycle.z beside it: in plane strain a path stays in the plane");
+  require_closed_path(scene, motion.cycle, motion.axis);
+  for (const BodyCycle<dim>& body : motion.bodies) {
+    require_closed_path(scene, body.cycle, body.axis);
+    if (body.motion.moves())
+      refuse(scene, "no motion.#.velocity or .omega beside it: a steady motion does not stick");
+  }
   if (rest.motion.velocity.norm() + rest.motion.spin.norm() + std::abs(rest.motion.across) > 0)
     refuse(scene, "no counter_body.motion beside it: a steady motion does not stick");
   for (std::size_t k = 1; k < rest.guides.size(); ++k)
@@ -75,8 +99,6 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
                            rest.guides[k].key));
   if (std::ranges::any_of(rest.guides, &Guide<dim>::turns))
     refuse(scene, "no moment in [[counter_body.press]] beside it");
-  if (const std::vector<std::string> open = motion.cycle.remarks(); !open.empty())
-    refuse(scene, "a motion that ends where it begins; " + open.front());
   const std::vector<double> extremes = extremes_of(motion);
   ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
   result.phases = path_phases(points_of(scene, extremes), motion, rest, force);
@@ -116,7 +138,9 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
                period = parts.cycle->motion.cycle.period;
   double stroke = 0;
   const CounterBody<dim>& partner = parts.interface.partner;
-  const Vector<dim> touched = partner.position + partner.motion.reference;
+  const Vector<dim> touched = parts.pairs.empty()
+                                  ? Vector<dim>(partner.position + partner.motion.reference)
+                                  : parts.cycle->motion.point;
   const auto carried = [&](const Phase<dim>& phase) {
     return carried_by(parts.cycle->motion, partner, phase, touched);
   };
@@ -153,12 +177,12 @@ void require_damping(const Scene& scene) {
 template <int dim>
 void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (!parts.cycle) refuse(scene, "also [cycle], by which it is driven to and fro, or [rolling]");
-  if (!parts.pairs.empty()) refuse(scene, "a counter-body, and no [[pair]] beside it");
   require_damping(scene);
   if (*parts.interface.speed == 0 && reads_in_rates(scene, "s"))
     throw InputError(scene.where("wear.rate") +
                      ": expected no sliding distance s, or also wear.velocity: no motion gives it");
-  if (!(parts.interface.friction > 0))
+  if (!(parts.interface.friction > 0) ||
+      std::ranges::any_of(parts.pairs, [](const auto& pair) { return !(pair.friction > 0); }))
     throw InputError(scene.where("friction.coefficient") +
                      ": expected a coefficient above zero beside friction.stick");
 }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <gnomon/terms/mortar_facet.hpp>
-#include <gnomon/terms/mortar_node.hpp>
 #include <gnomon/terms/mortar_pair.hpp>
+#include <gnomon/terms/mortar_traction.hpp>
 #include <vector>
 
 namespace gnomon {
@@ -42,8 +42,8 @@ private:
   }
 };
 
-/// Rows: lambda of the corners, then u and d of the nodes with rows; columns: lambda of the
-/// corners, then u and d of all nodes.
+/// Rows: lambda of the corners, r of the corners where friction may stick, then u and d of the nodes
+/// with rows; columns: the own unknowns of each corner (MortarTraction), then u and d of all nodes.
 template <int dim>
 class FacetMatrix {
   static constexpr int corners = Mesh<dim>::facet_nodes;
@@ -51,13 +51,17 @@ class FacetMatrix {
   using Wide = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
 public:
-  FacetMatrix(const FacetNodes<dim>& nodes, const Tangent& tangent, const PairPlaces<dim>& places)
+  /// `own`: unknowns of each corner.
+  FacetMatrix(const FacetNodes<dim>& nodes, const Tangent& tangent, const PairPlaces<dim>& places,
+              int own)
       : nodes_(nodes),
         tangent_(tangent),
         turn_({places.of[0].turn, places.of[1].turn}),
+        own_(own),
+        constraints_(corners * (own > 1 ? 1 + dim : 1)),
         columns_(dim * static_cast<int>(nodes.all.size())) {
     const auto rows = static_cast<int>(nodes.rows);
-    K_ = Eigen::MatrixXd::Zero(corners + 2 * dim * rows, corners + 2 * columns_);
+    K_ = Eigen::MatrixXd::Zero(constraints_ + 2 * dim * rows, corners * own + 2 * columns_);
     // A change of d moves the undeformed position and, with it, the current one.
     G_ = Eigen::MatrixXd::Zero(tangent.by_input.rows(), 2 * columns_);
     constexpr int X = 0, x = corners * dim, y = Tangent::own;
@@ -72,9 +76,10 @@ public:
                  turn_[1]);
   }
 
-  /// The normal of a corner as a function of positions; of all corners, before anything is added.
-  void set_normal(int a, const ContactPatch<dim>& patch, const NodeNormal<dim>& normal,
-                  const SlidingTraction<dim>& traction) {
+  /// The traction of a corner, which must outlive the matrix, and its normal as functions of
+  /// positions; of all corners, before anything is added.
+  void set_corner(int a, const ContactPatch<dim>& patch, const NodeNormal<dim>& normal,
+                  const MortarTraction<dim>& traction) {
     constexpr int n = 2 * corners * dim;
     Wide& traction_by = traction_by_[a];
     Eigen::RowVectorXd& speed_by = speed_by_[a];
@@ -92,66 +97,85 @@ public:
       const int position = nodes_.position(patch.nodes[p]);
       const Tensor<dim> by = normal.by_x[p] * turn_[0];
       move(position, tangent_.by_input.middleCols(n + dim * a, dim) * by);
-      add(position, traction.direction_by.template leftCols<dim>() * by,
-          traction.speed_by.template head<dim>() * by);
+      add(position, traction.by_n * by, traction.speed_by_n * by);
     }
-    add(a, traction.direction_by.template rightCols<dim>() * turn_[0],
-        traction.speed_by.template tail<dim>() * turn_[0]);
-    traction_[a] = traction.direction;
+    add(a, traction.by_x * turn_[0], traction.speed_by_x * turn_[0]);
+    traction_[a] = &traction;
   }
 
-  /// The contact of a closed corner with multiplier lambda.
-  void add_slave(int a, double lambda, double initial_area) {
-    const double D = tangent_.facet.D[a];
-    const Tensor<dim> back = lambda * turn_[0].transpose();
-    K_.block(u_row(a), corners, dim, 2 * columns_) +=
-        back * (traction_[a] * G_.row(a) + D * traction_by_[a]);
-    K_.block(u_row(a), a, dim, 1) += D * turn_[0].transpose() * traction_[a];
+  /// The contact of a closed corner.
+  void add_slave(int a, double initial_area) {
+    add_force(u_row(a), a, tangent_.facet.D[a] * turn_[0].transpose(),
+              turn_[0].transpose() * traction_[a]->value, G_.row(a));
     K_.row(a).tail(2 * columns_) += G_.row(Tangent::row_of_gap + a) / initial_area;
   }
   /// Its force on corner b of a covering master.
-  void add_pressing(int a, double lambda, int master, int b) {
-    const double M = tangent_.facet.masters[master].M(a, b);
-    const int row = u_row(nodes_.masters[master][b]);
-    const Tensor<dim> back = lambda * turn_[1].transpose();
-    K_.block(row, corners, dim, 2 * columns_) -=
-        back * (traction_[a] * G_.row(row_of(master, a, b)) + M * traction_by_[a]);
-    K_.block(row, a, dim, 1) -= M * turn_[1].transpose() * traction_[a];
+  void add_pressing(int a, int master, int b) {
+    add_force(u_row(nodes_.masters[master][b]), a,
+              -tangent_.facet.masters[master].M(a, b) * turn_[1].transpose(),
+              -turn_[1].transpose() * traction_[a]->value, G_.row(row_of(master, a, b)));
   }
-  /// Its wear along a direction per volume, with the rate and its derivatives by the pressure
-  /// -lambda and the speed.
+  /// The place of a corner on its partner: the mean of `undeformed`, the positions of each master's
+  /// nodes, over the whole area that is covered.
+  void add_place(int a, double area, const Vector<dim>& mean,
+                 const std::vector<FacetNodal<dim>>& undeformed) {
+    const int row = corners + dim * a;
+    auto by_nodes = K_.block(row, corners * own_, dim, 2 * columns_);
+    by_nodes += mean / area * G_.row(a);
+    for (std::size_t k = 0; k < undeformed.size(); ++k)
+      for (int b = 0; b < corners; ++b) {
+        const int master = static_cast<int>(k);
+        by_nodes -= undeformed[k].row(b).transpose() / area * G_.row(row_of(master, a, b));
+        by_nodes.middleCols(columns_ + dim * nodes_.masters[k][b], dim) -=
+            tangent_.facet.masters[k].M(a, b) / area * Tensor<dim>::Identity();
+      }
+  }
+  /// Its wear along a direction per volume, with the rate and its derivatives by pressure and
+  /// speed.
   void add_slave_wear(int a, const Vector<dim>& direction, double rate, double rate_by_pressure,
                       double rate_by_speed) {
     const double D = tangent_.facet.D[a];
-    K_.block(d_row(a), corners, dim, 2 * columns_) +=
+    const MortarTraction<dim>& of = *traction_[a];
+    K_.block(d_row(a), corners * own_, dim, 2 * columns_) +=
         direction * (rate * G_.row(a) + rate_by_speed * D * speed_by_[a]);
-    K_.block(d_row(a), a, dim, 1) -= rate_by_pressure * D * direction;
+    K_.block(d_row(a), own_ * a, dim, own_) +=
+        D * direction *
+        (rate_by_pressure * of.pressure_by_own + rate_by_speed * of.speed_by_own);
   }
   /// The wear of corner b of a master by the area that it shares with corner a.
   void add_master_wear(int a, int master, int b, const Vector<dim>& direction, double by_shared) {
-    K_.block(d_row(nodes_.masters[master][b]), corners, dim, 2 * columns_) +=
+    K_.block(d_row(nodes_.masters[master][b]), corners * own_, dim, 2 * columns_) +=
         by_shared * direction * G_.row(row_of(master, a, b) + corners * corners);
   }
-  /// The same by the multiplier of a closed corner and its speed.
-  void add_master_wear_by_pressure(int a, double lambda, int master, int b,
-                                   const Vector<dim>& direction, double by_load, double by_power) {
+  /// The same by the pressure and the speed of corner a.
+  void add_master_wear_by_traction(int a, int master, int b, const Vector<dim>& direction,
+                                   double by_pressure, double by_speed) {
     const double W = tangent_.facet.masters[master].W(a, b);
+    const MortarTraction<dim>& of = *traction_[a];
     const int row = d_row(nodes_.masters[master][b]);
-    K_.block(row, a, dim, 1) -= by_load * W * direction;
-    K_.block(row, corners, dim, 2 * columns_) -= by_power * lambda * W * direction * speed_by_[a];
+    K_.block(row, own_ * a, dim, own_) +=
+        W * direction * (by_pressure * of.pressure_by_own + by_speed * of.speed_by_own);
+    K_.block(row, corners * own_, dim, 2 * columns_) += by_speed * W * direction * speed_by_[a];
   }
 
   const Eigen::MatrixXd& values() const { return K_; }
 
 private:
+  /// A force that is `area` times the traction of corner a; `by_area` by the area.
+  template <class Row>
+  void add_force(int row, int a, const Tensor<dim>& area, const Vector<dim>& by_area,
+                 const Row& change) {
+    K_.block(row, corners * own_, dim, 2 * columns_) += by_area * change + area * traction_by_[a];
+    K_.block(row, own_ * a, dim, own_) += area * traction_[a]->by_own;
+  }
   template <class Columns>
   void move(int position, const Columns& by) {
     G_.middleCols(dim * position, dim) += by;
     G_.middleCols(columns_ + dim * position, dim) += by;
   }
-  int u_row(int position) const { return corners + dim * position; }
+  int u_row(int position) const { return constraints_ + dim * position; }
   int d_row(int position) const {
-    return corners + dim * (static_cast<int>(nodes_.rows) + position);
+    return constraints_ + dim * (static_cast<int>(nodes_.rows) + position);
   }
   static int row_of(int master, int a, int b) {
     return Tangent::row_of_masters + master * Tangent::rows_of_master + corners * b + a;
@@ -160,9 +184,9 @@ private:
   const FacetNodes<dim>& nodes_;
   const Tangent& tangent_;
   std::array<Tensor<dim>, 2> turn_;  // of slave and master
-  int columns_;
+  int own_, constraints_, columns_;
   Eigen::MatrixXd G_, K_;  // G: derivatives of the facet's sums by u and d of all nodes
-  std::array<Vector<dim>, corners> traction_;
+  std::array<const MortarTraction<dim>*, corners> traction_{};
   std::array<Wide, corners> traction_by_;  // by u and d of all nodes
   std::array<Eigen::RowVectorXd, corners> speed_by_;
 };

@@ -54,10 +54,43 @@ void MortarTerm<dim>::add_facets(const Evaluation<dim>& at, Surfaces& result) co
     result.facets.emplace_back(slave, masters, facet.masters, state_.section,
                                state_.pairs[facet.pair].reach);
     for (int a = 0; a < corners; ++a) {
-      result.sides[facet.sides[a]].area += result.facets.back().D[a];
-      result.sides[facet.sides[a]].gap += result.facets.back().gap[a];
+      SideState& state = result.sides[facet.sides[a]];
+      state.area += result.facets.back().D[a];
+      state.gap += result.facets.back().gap[a];
+      if (!state_.path) continue;
+      for (const auto& covering : result.facets.back().masters)
+        state.covering +=
+            (covering.M.row(a) * labels_of(at, facet.pair, covering.facet)).transpose();
     }
   }
+}
+
+/// What a slave node presses with, and whether it slides.
+template <int dim>
+void MortarTerm<dim>::find_traction(const Evaluation<dim>& at, const Side& side,
+                                    SideState& state) const {
+  const double lambda = at.values.scalar(state_.lambda)[side.node];
+  state.active = at.branch.empty()
+                     ? state.area > 0 && lambda * state.area + state_.rho * state.gap <= 0
+                     : at.branch[side.first_switch] != 0;
+  state.lambda = state.active ? lambda : 0;
+  if (state_.path) {
+    const std::optional<bool> given =
+        at.branch.empty() ? std::nullopt : std::optional(at.branch[side.first_switch + 1] != 0);
+    state.sticking.emplace(
+        StickingParameters{pair(side).friction, state_.rho, state_.path->interval},
+        sticking_input(at, side, state.normal->value), holds_gap(state), given);
+    state.traction = state.sticking->traction;
+  } else if (state.active) {
+    const Vector<dim> x = current(at, patch(side).node, place(side));
+    state.traction = {SlidingTraction<dim>(patch(side), state.normal->value, x,
+                                           places_[side.pair].motion, pair(side).friction),
+                      lambda};
+  }
+  state.load = -state.lambda * state.area;
+  state.rubbing = state.traction.pressure * state.area;
+  state.power = state.rubbing * state.traction.speed;
+  state.force = state.area * state.traction.value;
 }
 
 /// What the slaves press on the masters.
@@ -70,11 +103,12 @@ void MortarTerm<dim>::add_masters(Surfaces& result) const {
         SideState& master = result.sides[side_of(facets_[f].pair, pair.master[covering.facet][b])];
         for (int a = 0; a < corners; ++a) {
           const SideState& slave = result.sides[facets_[f].sides[a]];
-          master.area += covering.W(a, b);
-          if (!slave.active) continue;
-          master.load -= slave.lambda * covering.W(a, b);
-          master.power -= slave.lambda * slave.traction->speed * covering.W(a, b);
-          master.force -= covering.M(a, b) * slave.lambda * slave.traction->direction;
+          const double shared = covering.W(a, b), rubbing = slave.traction.pressure * shared;
+          master.area += shared;
+          master.load -= slave.lambda * shared;
+          master.rubbing += rubbing;
+          master.power += rubbing * slave.traction.speed;
+          master.force -= covering.M(a, b) * slave.traction.value;
         }
       }
   }
@@ -84,7 +118,7 @@ template <int dim>
 void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
                                 SideState& state) const {
   const ContactPatch<dim>& own = patch(side);
-  if (!state.active) return;
+  if (state_.path ? !(state.rubbing > 0) : !state.active) return;
   const PatchNodal<dim> X = positions(at, own, nullptr);
   const double friction = pair(side).friction, speed = state.speed();
   const double p = state.pressure();
@@ -93,6 +127,10 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
   state.rate =
       law(side).rate(wear_input(own, Vector<4>(p, speed, depth, friction * p * speed), moment),
                      law_branch(at, side));
+  const double share = state_.path ? state_.path->share : 1;
+  for (double* of : {&state.rate.value, &state.rate.by_pressure, &state.rate.by_speed,
+                     &state.rate.by_depth, &state.rate.by_friction_power})
+    *of *= share;
   state.rate_by_pressure = state.rate.by_pressure + friction * speed * state.rate.by_friction_power;
   state.rate_by_speed = state.rate.by_speed + friction * p * state.rate.by_friction_power;
   if (!own.may_move()) return;
@@ -115,22 +153,10 @@ typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<di
                          along == pair(side).along.end()
                              ? Tensor<dim>(Tensor<dim>::Identity())
                              : Tensor<dim>(turn * along->second * turn.transpose()));
-    state.traction.emplace(patch(side), state.normal->value, x.row(0).transpose(),
-                           places_[side.pair].motion, pair(side).friction);
   }
   add_facets(at, result);
-  for (std::size_t s = 0; s < sides_.size(); ++s) {
-    if (!sides_[s].slave) continue;
-    SideState& state = result.sides[s];
-    const double lambda = at.values.scalar(state_.lambda)[sides_[s].node];
-    state.active = at.branch.empty()
-                       ? state.area > 0 && lambda * state.area + state_.rho * state.gap <= 0
-                       : at.branch[sides_[s].first_switch] != 0;
-    state.lambda = state.active ? lambda : 0;
-    state.load = -state.lambda * state.area;
-    state.power = state.load * state.traction->speed;
-    state.force = state.area * state.lambda * state.traction->direction;
-  }
+  for (std::size_t s = 0; s < sides_.size(); ++s)
+    if (sides_[s].slave) find_traction(at, sides_[s], result.sides[s]);
   add_masters(result);
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     if (!sides_[s].slave) result.sides[s].active = result.sides[s].load > 0;
@@ -145,10 +171,12 @@ void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> val
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     const Side& side = sides_[s];
     const SideState& state = result.sides[s];
-    std::span<double> own = values.subspan(side.first_switch, side.slave + law(side).kinks());
+    std::span<double> own = values.subspan(
+        side.first_switch, static_cast<std::size_t>(contact_switches(side)) + law(side).kinks());
     if (side.slave) {
       const double gap = state.area > 0 ? state.gap / state.area : pair(side).reach;
       own[0] = at.values.scalar(state_.lambda)[side.node] + state_.rho * gap;
+      if (state.sticking) own[1] = state.sticking->excess;
     }
     if (law(side).kinks() == 0) continue;
     const double p = state.pressure(), v = state.speed();
@@ -157,7 +185,7 @@ void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> val
     law(side).switching(
         wear_input(patch(side), Vector<4>(p, v, depth, pair(side).friction * p * v),
                    {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within}),
-        own.subspan(side.slave), law_branch(at, side));
+        own.subspan(contact_switches(side)), law_branch(at, side));
   }
 }
 
@@ -176,6 +204,10 @@ std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) 
     const Tensor<dim>& turn = place(sides_[s]).turn;
     node.force += turn.transpose() * state.force;
     if (state.normal) node.normal = -turn.transpose() * state.normal->value;
+    if (state.sticking) {
+      node.slip = state.sticking->slip;
+      node.sticks = state.sticking->sticks;
+    }
     if (state.direction)
       node.velocity -= weight(sides_[s]) * state.rate.value * state.area * state.direction->value;
     if (sides_[s].slave) node.gap = state.area > 0 ? state.gap / state.area : pair(sides_[s]).reach;

@@ -16,8 +16,20 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
       contact_of_(state.mesh.nodes.size(), -1) {
   for (int c = 0; c < static_cast<int>(state.patches.size()); ++c) {
     contact_of_[static_cast<std::size_t>(state.patches[c].node)] = c;
-    lambda_numbers_.push_back(numbering.number(state.lambda, c));
+    own_numbers_.push_back({numbering.number(state.lambda, c)});
+    if (!state.path) continue;
+    const MortarPath& path = *state.path;
+    const auto add = [&](FieldId field, int components) {
+      for (int i = 0; i < components; ++i)
+        own_numbers_.back().push_back(numbering.number(field, c, i));
+    };
+    add(path.traction, dim);
+    add(path.place, dim);
+    add(path.lambda_before, 1);
+    add(path.before, dim);
   }
+  if (state.path && state.path->is_last)
+    memory_numbers_ = numbering.nodal<dim>(state.path->memory);
   for (const MortarPair<dim>& pair : state.pairs) places_.emplace_back(pair, state.places);
   find_sides();
   find_facets();
@@ -34,7 +46,8 @@ void MortarTerm<dim>::find_sides() {
           const auto number = static_cast<int>(sides_.size());
           if (!side_of_[p].try_emplace(node, number).second) continue;
           sides_.push_back({contact_of_[static_cast<std::size_t>(node)], p, slave, switches});
-          switches += slave + law(sides_.back()).kinks();
+          switches += static_cast<std::size_t>(contact_switches(sides_.back())) +
+                      law(sides_.back()).kinks();
         }
   }
 }
@@ -83,7 +96,10 @@ template <int dim>
 std::vector<int> MortarTerm<dim>::rows_of(const SlaveFacet& facet,
                                           const FacetNodes<dim>& nodes) const {
   std::vector<int> rows;
-  for (const int side : facet.sides) rows.push_back(lambda_numbers_[sides_[side].node]);
+  for (const int side : facet.sides) rows.push_back(lambda_number(sides_[side]));
+  if (state_.path)
+    for (const int side : facet.sides)
+      for (int i = 0; i < dim; ++i) rows.push_back(place_number(sides_[side], i));
   for (const int number : numbers_of(nodes.with_rows(), true)) rows.push_back(number);
   return rows;
 }
@@ -92,7 +108,8 @@ template <int dim>
 std::vector<int> MortarTerm<dim>::columns_of(const SlaveFacet& facet,
                                              const FacetNodes<dim>& nodes) const {
   std::vector<int> columns;
-  for (const int side : facet.sides) columns.push_back(lambda_numbers_[sides_[side].node]);
+  for (const int side : facet.sides)
+    for (const int number : own_numbers_[sides_[side].node]) columns.push_back(number);
   for (const int number : numbers_of(nodes.all, false)) columns.push_back(number);
   return columns;
 }
@@ -108,13 +125,17 @@ void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pat
   std::copy_n(joined.all.begin(), corners, slave.begin());
   const std::vector<int> own(slave.begin(), slave.end());
   const std::vector<int> masters(joined.all.begin() + corners, masters_end);
-  std::vector<int> lambdas;
+  std::vector<int> constraints, own_columns;
   for (int a = 0; a < corners; ++a) {
-    lambdas.push_back(lambda_numbers_[sides_[facet.sides[a]].node]);
-    pattern.add(numbers_of({slave[a]}, true), {lambdas.back()});
+    const Side& side = sides_[facet.sides[a]];
+    const std::vector<int>& numbers = own_numbers_[side.node];
+    pattern.add(numbers_of({slave[a]}, true), numbers);
+    own_columns.insert(own_columns.end(), numbers.begin(), numbers.end());
+    constraints.push_back(numbers.front());
+    for (int i = 0; state_.path && i < dim; ++i) constraints.push_back(place_number(side, i));
   }
-  pattern.add(lambdas, numbers_of(joined.all, false));
-  pattern.add(numbers_of(masters, true), lambdas);
+  pattern.add(constraints, numbers_of(joined.all, false));
+  pattern.add(numbers_of(masters, true), own_columns);
   nodes.add(own, joined.all);
   nodes.add(masters, own);
   nodes.add(masters, {masters_end, joined.all.end()});
@@ -151,7 +172,8 @@ void MortarTerm<dim>::declare(TermStructure& structure) const {
   for (const Side& side : sides_) {
     const std::vector<int> rows = numbers_of({patch(side).node}, true);
     structure.pattern.add(rows, numbers_of(patch(side).nodes, false));
-    if (side.slave) {
+    if (side.slave && state_.path) declare_path(side, structure.pattern);
+    for (int k = 0; k < contact_switches(side); ++k) {
       structure.switch_node.push_back(patch(side).node);
       structure.switch_jumps.push_back(0);
     }
@@ -185,7 +207,8 @@ void MortarTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> 
         F[row] += weight(side) * state.rate.value * state.area * state.direction->value[i];
     }
     if (!side.slave) continue;
-    if (const int row = lambda_numbers_[side.node]; row >= 0)
+    if (state_.path) add_path_residual(at, side, state, F);
+    if (const int row = lambda_number(side); row >= 0)
       F[row] += holds_gap(state) ? state.gap / own.initial_area
                                  : -at.values.scalar(state_.lambda)[side.node] / state_.rho;
   }
@@ -208,7 +231,7 @@ void MortarTerm<dim>::add_side(const Side& side, const SideState& state,
                                std::span<double> values) const {
   const ContactPatch<dim>& own = patch(side);
   if (side.slave && !holds_gap(state)) {
-    const int number = lambda_numbers_[side.node];
+    const int number = lambda_number(side);
     add({number}, {number}, Eigen::MatrixXd::Constant(1, 1, -1 / state_.rho), values);
   }
   if (!state.direction) return;
@@ -228,28 +251,33 @@ void MortarTerm<dim>::add_side(const Side& side, const SideState& state,
 
 /// What depends on the sums of a facet.
 template <int dim>
-void MortarTerm<dim>::add_facet(const SlaveFacet& facet, const MortarFacetTangent<dim>& tangent,
-                                const Surfaces& at, std::span<double> values) const {
+void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& facet,
+                                const MortarFacetTangent<dim>& tangent, const Surfaces& state,
+                                std::span<double> values) const {
   std::vector<int> covering;
   for (const auto& master : tangent.facet.masters) covering.push_back(master.facet);
   const FacetNodes<dim> nodes = nodes_of(facet, covering);
-  FacetMatrix<dim> matrix(nodes, tangent, places_[facet.pair]);
+  const auto own = static_cast<int>(own_numbers_.front().size());
+  FacetMatrix<dim> matrix(nodes, tangent, places_[facet.pair], own);
   for (int a = 0; a < corners; ++a) {
-    const SideState& slave = at.sides[facet.sides[a]];
-    matrix.set_normal(a, patch(sides_[facet.sides[a]]), *slave.normal, *slave.traction);
+    const SideState& slave = state.sides[facet.sides[a]];
+    matrix.set_corner(a, patch(sides_[facet.sides[a]]), *slave.normal, slave.traction);
   }
+  std::vector<FacetNodal<dim>> labels;
+  for (const int master : covering)
+    if (state_.path) labels.push_back(labels_of(at, facet.pair, master));
   for (int a = 0; a < corners; ++a) {
     const Side& side = sides_[facet.sides[a]];
-    const SideState& slave = at.sides[facet.sides[a]];
-    if (!slave.active) continue;
-    matrix.add_slave(a, slave.lambda, patch(side).initial_area);
+    const SideState& slave = state.sides[facet.sides[a]];
+    if (slave.active) matrix.add_slave(a, patch(side).initial_area);
+    if (state_.path) matrix.add_place(a, slave.area, slave.covering / slave.area, labels);
     if (slave.direction)
       matrix.add_slave_wear(a, weight(side) * slave.direction->value, slave.rate.value,
                             slave.rate_by_pressure, slave.rate_by_speed);
   }
   for (std::size_t k = 0; k < covering.size(); ++k)
     for (int b = 0; b < corners; ++b)
-      add_master(facet, at, static_cast<int>(k), b,
+      add_master(facet, state, static_cast<int>(k), b,
                  side_of(facet.pair, state_.pairs[facet.pair].master[covering[k]][b]), matrix);
   add(rows_of(facet, nodes), columns_of(facet, nodes), matrix.values(), values);
 }
@@ -260,33 +288,36 @@ void MortarTerm<dim>::add_master(const SlaveFacet& facet, const Surfaces& at, in
   const SideState& state = at.sides[side];
   for (int a = 0; a < corners; ++a) {
     const SideState& slave = at.sides[facet.sides[a]];
-    if (slave.active) matrix.add_pressing(a, slave.lambda, master, b);
+    if (slave.active) matrix.add_pressing(a, master, b);
     if (!state.direction) continue;
     // d(Wdot C) by the area, load and power that the slave's corner shares with the master's.
     const double by_power = state.rate_by_speed / state.pressure(),
                  by_load = state.rate_by_pressure - by_power * state.speed(),
                  by_area = state.rate.value - state.pressure() * state.rate_by_pressure;
-    matrix.add_master_wear(a, master, b, weight(sides_[side]) * state.direction->value,
-                           by_area - slave.lambda * (by_load + by_power * slave.traction->speed));
-    if (slave.active)
-      matrix.add_master_wear_by_pressure(a, slave.lambda, master, b,
-                                         weight(sides_[side]) * state.direction->value,
-                                         by_load + by_power * slave.traction->speed, by_power);
+    const MortarTraction<dim>& of = slave.traction;
+    const double by_pressure = by_load + by_power * of.speed;
+    const Vector<dim> direction = weight(sides_[side]) * state.direction->value;
+    matrix.add_master_wear(a, master, b, direction, by_area + of.pressure * by_pressure);
+    matrix.add_master_wear_by_traction(a, master, b, direction, by_pressure,
+                                       by_power * of.pressure);
   }
 }
 
 template <int dim>
-void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double,
+void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
                                    std::span<double> values) const {
   const Surfaces result = surfaces(at);
-  for (std::size_t s = 0; s < sides_.size(); ++s) add_side(sides_[s], result.sides[s], values);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    add_side(sides_[s], result.sides[s], values);
+    if (state_.path && sides_[s].slave) add_path(sides_[s], result.sides[s], rate_weight, values);
+  }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (result.facets[f].masters.empty()) continue;
     // One after the other: in space each is large.
     const auto [slave, masters] = places_of(facets_[f], at, result);
     const MortarFacetTangent<dim> tangent(slave, masters, facets_[f].masters, state_.section,
                                           state_.pairs[facets_[f].pair].reach);
-    add_facet(facets_[f], tangent, result, values);
+    add_facet(at, facets_[f], tangent, result, values);
   }
 }
 

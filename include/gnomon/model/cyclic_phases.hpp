@@ -64,8 +64,8 @@ template <int dim>
 Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
                     const CounterBody<dim>& rest, std::optional<double> force);
 
-/// How far the counter-body's surface has slid by along X by a phase, from its place `rest`
-/// [length].
+/// How far the counter-body's surface has slid by along X by a phase, from its place `rest`; of
+/// pairs the surface of the second of the bodies `sliding`, in the frame of the first [length].
 template <int dim>
 Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
                        const Phase<dim>& phase, const Vector<dim>& X);

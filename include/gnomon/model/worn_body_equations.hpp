@@ -5,6 +5,7 @@
 #include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/state.hpp>
 #include <gnomon/terms/contact_nodes.hpp>
+#include <gnomon/terms/mortar_term.hpp>
 #include <gnomon/terms/stick_term.hpp>
 #include <memory>
 
@@ -20,6 +21,7 @@ struct WornBodyFields {
   FieldId w =
       FieldId::none;  ///< rigid motion of the counter-body, a single value; only under a force
   FieldId traction = FieldId::none;  ///< lambda_T, contact nodes; only where friction may stick
+  FieldId place = FieldId::none;     ///< r, contact nodes; only there, in pairs
   FieldId memory = FieldId::none;    ///< s, that of all phases; differential; only there
 };
 
@@ -40,7 +42,7 @@ enum class Elasticity { as_assembled, whole };
 ///   u                equilibrium, eq. 23-25: internal + contact force - load            [force]
 ///                    of a condensed assembly S u + contact force - g (condensation.hpp)
 ///   lambda           C_N, eq. 26                                                        [length]
-///   lambda_T, s      where friction may stick: stick_node.hpp, stick_term.hpp
+///   lambda_T, r, s   where friction may stick: stick_node.hpp, stick_term.hpp, mortar_term.hpp
 ///   w                contact force on the counter-body - applied force, by guide        [force]
 ///   d (interior)     auxiliary equilibrium, eq. 20                                      [force]
 ///   d (contact)      ddot + Wdot N, eq. 14                                        [length/time]
@@ -106,8 +108,10 @@ private:
   void add_friction(const Scales& scales, FieldSet& set);
   void add_memory(const Scales& scales, FieldSet& set);
   StickState<dim> stick_state(std::size_t phase, double nominal_speed) const;
+  MortarPath mortar_path(std::size_t phase) const;
   StickState<dim> rolling_state(double nominal_speed) const;
   std::vector<MortarCandidates> candidates_in(const Phase<dim>& phase) const;
+  TermFactory<dim> contact_of(std::size_t phase, double nominal_speed) const;
   void add_terms(std::vector<TermFactory<dim>>& terms);
   void add(std::vector<TermFactory<dim>>& terms, TermKind kind, std::size_t phase,
            TermFactory<dim> make);

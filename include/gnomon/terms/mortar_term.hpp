@@ -14,15 +14,40 @@
 // The speed v_i of sliding is that of the slave; a master has v_j = sum_i p_i v_i W_ij / (p_j C_j).
 // So the forces on both bodies are equal, and the volumes that they lose where their laws are
 // and are proportional to p v.
+//
+// Where friction may stick (docs/fretting.md), the traction is lambda n_p + lambda_T, and, in each
+// phase of the path,
+//
+//   lambda_T  C of StickFriction, slip = r - r of the phase before      eq. (10), (11)
+//   r         r_i - (sum_j M_ij (X_j + d_j) / D_i - X_i) = 0, the place on the partner's material;
+//             r_i - r of the phase before = 0 where nothing covers the node
+//   s         sdot - (r - s) / period = 0, in the last phase
+//
+// p_i is then the mean of this phase and the one before, v_i = |slip| / interval.
 #pragma once
 
+#include <algorithm>
 #include <gnomon/terms/contact_nodes.hpp>
 #include <gnomon/terms/mortar_facet.hpp>
-#include <gnomon/terms/mortar_node.hpp>
 #include <gnomon/terms/mortar_pair.hpp>
+#include <gnomon/terms/mortar_traction.hpp>
+#include <gnomon/terms/places_on_partner.hpp>
 #include <optional>
 
 namespace gnomon {
+
+/// What friction that may stick adds to a phase of a path. Fields are those at the contact nodes.
+struct MortarPath {
+  FieldId traction = FieldId::none;       ///< lambda_T
+  FieldId place = FieldId::none;          ///< r
+  FieldId before = FieldId::none;         ///< r of the phase before; of the first one s
+  FieldId lambda_before = FieldId::none;  ///< of the phase before, around the cycle
+  FieldId memory = FieldId::none;         ///< s
+  bool is_last = false;                   ///< of its path: it has the rows of s
+  double interval = 1;                    ///< since the phase before [time]
+  double share = 1;                       ///< StickParameters::share
+  double period = 1;                      ///< of the cycle [time]
+};
 
 /// All pairs of an assembly in one contact state. The referenced objects must outlive the term.
 template <int dim>
@@ -43,6 +68,7 @@ struct MortarState {
   std::vector<BodyPlace<dim>> places{};  ///< of the bodies; empty: at rest
   double part = 1;                       ///< of the mean over a cycle: the weight of its phase
   double nominal_speed = 0;              ///< at which the bodies slide [length / time]
+  std::optional<MortarPath> path{};      ///< friction may stick
 };
 
 template <int dim>
@@ -51,18 +77,20 @@ template <int dim>
 struct FacetNodes;
 
 template <int dim>
-class MortarTerm : public ContactNodes<dim> {
+class MortarTerm : public ContactNodes<dim>, public PlacesOnPartner<dim> {
 public:
   MortarTerm(const MortarState<dim>& state, const Numbering& numbering);
 
   void declare(TermStructure& structure) const override;
   void map_to(const SparsePattern& pattern) override;
   void add_residual(const Evaluation<dim>& at, std::span<double> F) const override;
-  void add_jacobian(const Evaluation<dim>& at, double, std::span<double> values) const override;
-  /// For every slave node lambda + rho g [stress], then for all contact nodes the kinks of the wear
-  /// law.
+  void add_jacobian(const Evaluation<dim>& at, double rate_weight,
+                    std::span<double> values) const override;
+  /// For every slave node lambda + rho g [stress], where friction may stick |T^| - r [stress], then
+  /// for all contact nodes the kinks of the wear law.
   void switching(const Evaluation<dim>& at, std::span<double> values) const override;
   std::vector<ContactNode<dim>> nodes(const Evaluation<dim>& at) const override;
+  NodalField<dim> places(const Evaluation<dim>& at) const override;
 
 private:
   static constexpr int corners = Mesh<dim>::facet_nodes;
@@ -86,17 +114,21 @@ private:
     double area = 0;    ///< D of a slave, C of a master
     double gap = 0;     ///< g of a slave, times area
     double load = 0;    ///< force by pressure: D p, or sum_i p_i W_ij
-    double power = 0;   ///< load times speed of sliding
+    double rubbing = 0; ///< the same of the pressures that wear
+    double power = 0;   ///< rubbing times speed of sliding
     bool active = false;
-    Vector<dim> force = Vector<dim>::Zero();         ///< in space
-    std::optional<NodeNormal<dim>> normal{};         ///< of a slave
-    std::optional<SlidingTraction<dim>> traction{};  ///< of a slave
+    Vector<dim> force = Vector<dim>::Zero();     ///< in space
+    Vector<dim> covering = Vector<dim>::Zero();  ///< of a slave sum_j M_ij (X_j + d_j) [volume]
+    std::optional<NodeNormal<dim>> normal{};     ///< of a slave
+    MortarTraction<dim> traction{};              ///< of a slave
+    std::optional<StickingTraction<dim>> sticking{};  ///< of a slave where friction may stick
     std::optional<WearDirection<dim>> direction{};
     WearRate rate{};
     double rate_by_pressure = 0, rate_by_speed = 0;  ///< friction power by the chain rule
 
-    double pressure() const { return area > 0 ? load / area : 0; }
-    double speed() const { return load > 0 ? power / load : 0; }
+    double pressure() const { return area > 0 ? rubbing / area : 0; }
+    /// Shares of area may be negative by rounding.
+    double speed() const { return rubbing > 0 ? std::max(0.0, power / rubbing) : 0; }
   };
   /// All sums at a state.
   struct Surfaces {
@@ -118,11 +150,24 @@ private:
                                                                     const Evaluation<dim>& at,
                                                                     const Surfaces& result) const;
   void add_facets(const Evaluation<dim>& at, Surfaces& result) const;
+  void find_traction(const Evaluation<dim>& at, const Side& side, SideState& state) const;
   void add_masters(Surfaces& result) const;
   void find_wear(const Evaluation<dim>& at, const Side& side, SideState& state) const;
   void add_side(const Side& side, const SideState& state, std::span<double> values) const;
-  void add_facet(const SlaveFacet& facet, const MortarFacetTangent<dim>& tangent,
-                 const Surfaces& at, std::span<double> values) const;
+  void declare_path(const Side& side, PatternBuilder& pattern) const;
+  StickingInput<dim> sticking_input(const Evaluation<dim>& at, const Side& side,
+                                    const Vector<dim>& normal) const;
+  /// X + d of the nodes of a master facet.
+  FacetNodal<dim> labels_of(const Evaluation<dim>& at, int pair, int master) const;
+  /// r by where the bodies are, or nothing where no master covers the node.
+  std::optional<Vector<dim>> place_on_partner(const Side& side, const SideState& state) const;
+  void add_path_residual(const Evaluation<dim>& at, const Side& side, const SideState& state,
+                         std::span<double> F) const;
+  void add_path(const Side& side, const SideState& state, double rate_weight,
+                std::span<double> values) const;
+  void add_facet(const Evaluation<dim>& at, const SlaveFacet& facet,
+                 const MortarFacetTangent<dim>& tangent, const Surfaces& state,
+                 std::span<double> values) const;
   void add_master(const SlaveFacet& facet, const Surfaces& at, int master, int b, int side,
                   FacetMatrix<dim>& matrix) const;
   FacetNodes<dim> nodes_of(const SlaveFacet& facet, const std::vector<int>& masters) const;
@@ -131,6 +176,9 @@ private:
 
   /// Whether the row of lambda is that of the gap: a node that nothing covers has none.
   static bool holds_gap(const SideState& state) { return state.active && state.area > 0; }
+  int friction_switches() const { return state_.path ? 1 : 0; }
+  /// Of a side: of contact, of friction, then those of its wear law.
+  int contact_switches(const Side& side) const { return side.slave ? 1 + friction_switches() : 0; }
   const ContactPatch<dim>& patch(const Side& side) const { return state_.patches[side.node]; }
   const MortarPair<dim>& pair(const Side& side) const { return state_.pairs[side.pair]; }
   const BodyPlace<dim>& place(const Side& side) const { return places_[side.pair].of[!side.slave]; }
@@ -140,7 +188,13 @@ private:
   }
   std::span<const char> law_branch(const Evaluation<dim>& at, const Side& side) const {
     if (at.branch.empty()) return {};
-    return at.branch.subspan(side.first_switch + side.slave, law(side).kinks());
+    return at.branch.subspan(side.first_switch + contact_switches(side), law(side).kinks());
+  }
+  int lambda_number(const Side& side) const { return own_numbers_[side.node].front(); }
+  int traction_number(const Side& side, int i) const { return own_numbers_[side.node][1 + i]; }
+  int place_number(const Side& side, int i) const { return own_numbers_[side.node][1 + dim + i]; }
+  int before_number(const Side& side, int i) const {
+    return own_numbers_[side.node][2 + 2 * dim + i];
   }
   int side_of(int pair, int mesh_node) const { return side_of_[pair].at(mesh_node); }
   /// Numbers of u, then of d, of these mesh nodes; d only where the node wears, if `worn`.
@@ -151,7 +205,9 @@ private:
   MortarState<dim> state_;
   std::vector<PairPlaces<dim>> places_;  // by pair
   NodalNumbers<dim> u_numbers_, d_numbers_;
-  std::vector<int> lambda_numbers_;          // of each contact node; masters: -1
+  std::vector<std::vector<int>> own_numbers_;  // of each contact node: those of its traction;
+                                               // masters: -1
+  NodalNumbers<dim> memory_numbers_;           // of the last phase of a path
   std::vector<int> contact_of_;              // by mesh node; -1: none
   std::vector<std::map<int, int>> side_of_;  // by pair and mesh node
   std::vector<Side> sides_;

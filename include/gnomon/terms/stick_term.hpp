@@ -9,6 +9,7 @@
 
 #include <gnomon/terms/contact_nodes.hpp>
 #include <gnomon/terms/contact_state.hpp>
+#include <gnomon/terms/places_on_partner.hpp>
 #include <gnomon/terms/stick_node.hpp>
 
 namespace gnomon {
@@ -44,7 +45,7 @@ struct StickState {
 };
 
 template <int dim>
-class StickTerm : public ContactNodes<dim> {
+class StickTerm : public ContactNodes<dim>, public PlacesOnPartner<dim> {
 public:
   StickTerm(const StickState<dim>& state, FieldId d, const Numbering& numbering);
 
@@ -56,8 +57,7 @@ public:
   /// For every contact node lambda + rho g and |T^| - r [stress], then the kinks of the wear law.
   void switching(const Evaluation<dim>& at, std::span<double> values) const override;
   std::vector<ContactNode<dim>> nodes(const Evaluation<dim>& at) const override;
-  /// r of every contact node, contact nodes x dim [length].
-  NodalField<dim> places(const Evaluation<dim>& at) const;
+  NodalField<dim> places(const Evaluation<dim>& at) const override;
 
 private:
   int count() const { return static_cast<int>(state_.contact.patches.size()); }
