@@ -8,6 +8,7 @@
 #include <gnomon/linear/jacobian_block.hpp>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -20,9 +21,10 @@ namespace gnomon {
 namespace {
 
 /// Solves J z = r in the unknowns u_p (displacements), y_p (multipliers of closed nodes, normal and
-/// tangential, of pairs their places on the partner, and rigid motions) of the phases p, and g (shape of the worn surface, and memory).
-/// Indices of J are rows and columns; J_ug is neglected. K is the mean stiffness of the phases, and
-/// the only matrix that is factorized: multipliers press nodes, but make no springs (StickTerm).
+/// tangential, of pairs their places on the partner, and rigid motions) of the phases p, and g
+/// (shape of the worn surface, and memory). Indices of J are rows and columns; J_ug is neglected. K
+/// is the mean stiffness of the phases, and the only matrix that is factorized: multipliers press
+/// nodes, but make no springs (StickTerm).
 ///
 /// With u_p = K^-1 (r_u,p - J_uy y_p) = x_p - K^-1 J_uy y_p, of which only the displacements of
 /// contact nodes enter (ContactCompliance), the rows of y and g are
@@ -31,8 +33,9 @@ namespace {
 ///   A_p = J_yy - J_yu K^-1 J_uy,             f_p = r_y - J_yu x_p - J_y,u(p-1) x_(p-1)
 ///   F_p, H_p: the same of the phase before, and of the rows of g
 ///
-/// block-bidiagonal in the phases, with a border: one pass along the path eliminates y for all
-/// columns of G, a small dense matrix is left for g, and two solves with K make an application.
+/// where soft springs hold bodies of pairs (compliance_core.cpp): block-bidiagonal in the phases,
+/// with a border: one pass along the path eliminates y for all columns of G, a small dense matrix
+/// is left for g, and two solves with K make an application.
 class PathCore : public CoreSolver {
 public:
   /// `structure` must outlive the object; throws as StiffnessBlock.
@@ -63,6 +66,7 @@ public:
   }
   int set_up(bool) override {
     stiffness_.gather(J_);
+    if (may_float_) stiffness_.add_soft_springs(soft);
     const int factorizations = stiffness_.set_up("the stiffness of the body");
     compliance_.clear();
     update();
@@ -91,6 +95,7 @@ public:
   }
 
 private:
+  static constexpr double soft = 1e-7;
   using Sparse = Eigen::SparseMatrix<double>;
   using Entries = std::vector<Eigen::Triplet<double>>;
   /// What an unknown is.
@@ -128,13 +133,16 @@ private:
     std::map<int, int> point_of;
     const auto role = [this](int i) { return structure_.block_of(i).role; };
     const SparsePattern& pattern = structure_.pattern;
+    std::set<int> carry;
     for (int i = 0; i < structure_.size; ++i) {
       if (role(i) != Role::multiplier) continue;
+      carry.insert(structure_.group[i]);
       point_of.try_emplace(structure_.group[i], static_cast<int>(point_of.size()));
       for (int k = pattern.column_start[i]; k < pattern.column_start[i + 1]; ++k)
         if (const int row = pattern.row_index[k]; role(row) == Role::stiffness)
           point_of.try_emplace(structure_.group[row], static_cast<int>(point_of.size()));
     }
+    may_float_ = point_of.size() > carry.size();
     std::vector<NodeUnknowns> numbers(point_of.size(), {-1, -1, -1});
     for (int i = 0; i < structure_.size; ++i) {
       Place& place = place_[i];
@@ -328,6 +336,7 @@ private:
   std::span<const double> J_;
   const double column_cost_;  // in solves with K
   StiffnessBlock stiffness_;
+  bool may_float_ = false;  // a body that multipliers press may have no other support
   std::vector<Phase> phases_;
   std::vector<Place> place_;  // by unknown
   std::vector<int> slow_;     // all unknowns g

@@ -85,17 +85,19 @@ double indentation(const Assembly<dim>& body, double fraction) {
   return body.scales.displacement * std::cbrt(fraction * fraction);
 }
 
-/// Moves bodies of pairs that no support holds to where they rest, and so far that a node of the
-/// slave is in contact: the mean gap over its share of the surface is larger than that where bodies
-/// touch, and closes slowly where the surface is steep.
+/// Moves bodies of pairs that no support holds to where they rest, tells `touching` of it, and moves
+/// them so far that a node of the slave is in contact: the mean gap over its share of the surface is
+/// larger than that where bodies touch, and closes slowly where the surface is steep.
 template <int dim>
 void close_gap_of_pairs(const WornBodyEquations<dim>& equations, const ComposedSystem<dim>& contact,
-                        std::size_t phase, FieldValues<dim>& values) {
+                        std::size_t phase, FieldValues<dim>& values,
+                        const std::function<void()>& touching) {
   constexpr double flattest = 1e-3;  // change of gap by motion
   const Assembly<dim>& body = equations.assembly();
   const RigidBalance<dim> balance(body, equations.phases()[phase].places);
   NodalField<dim>& u = values.vector(equations.fields(phase).u);
   u += balance.displacement;
+  touching();
   const auto before = equations.contact_nodes(contact, values, {}, phase);
   const double motion = indentation(body, 1);
   u += motion * balance.direction;
@@ -173,9 +175,17 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
     double touching, share;  // its value; its part in the approach
   };
   std::vector<Approach> approaches;
+  std::vector<double> y(contact.structure().size);
+  const bool pairs = !equations.assembly().pairs.empty();
+  const auto touching = [&] {
+    if (!passed) return;
+    contact.numbering().gather(values, y);
+    passed(y);
+    contact.numbering().scatter(y, values);
+  };
   for (std::size_t p = 0; p < equations.phases().size(); ++p) {
-    if (!equations.assembly().pairs.empty()) {
-      close_gap_of_pairs(equations, contact, p, values);
+    if (pairs) {
+      close_gap_of_pairs(equations, contact, p, values, touching);
       continue;
     }
     const std::vector<Guide<dim>> guides = close_initial_gap(equations, p, values).guides;
@@ -187,7 +197,7 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   bool loaded = false;
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
     contact.set_load_fraction(fraction);
-    if (!loaded && passed) {
+    if (!loaded && passed && !pairs) {
       for (const Approach& at : approaches) y[at.q] = at.touching;
       passed(y);
     }
@@ -211,7 +221,6 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
     if (report.converged && passed) passed(y);
     return report;
   };
-  std::vector<double> y(contact.structure().size);
   contact.numbering().gather(values, y);
   RampReport report = ramp_load(solve, options, y);
   contact.numbering().scatter(y, values);

@@ -135,7 +135,7 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
   state.rate_by_speed = state.rate.by_speed + friction * p * state.rate.by_friction_power;
   if (!own.may_move()) return;
   state.direction.emplace(own, X, state_.normal_rule);
-  if (state.rate.value != 0) require_direction(own, state.direction->value);
+  if (state.rate.value != 0 && shape_is_unknown_) require_direction(own, state.direction->value);
 }
 
 template <int dim>

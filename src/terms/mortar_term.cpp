@@ -13,6 +13,7 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
     : state_(state),
       u_numbers_(numbering.nodal<dim>(state.u)),
       d_numbers_(numbering.nodal<dim>(state.d)),
+      shape_is_unknown_(d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0),
       contact_of_(state.mesh.nodes.size(), -1) {
   for (int c = 0; c < static_cast<int>(state.patches.size()); ++c) {
     contact_of_[static_cast<std::size_t>(state.patches[c].node)] = c;

@@ -205,6 +205,7 @@ private:
   MortarState<dim> state_;
   std::vector<PairPlaces<dim>> places_;  // by pair
   NodalNumbers<dim> u_numbers_, d_numbers_;
+  bool shape_is_unknown_;  // else a node may touch where it could not wear
   std::vector<std::vector<int>> own_numbers_;  // of each contact node: those of its traction;
                                                // masters: -1
   NodalNumbers<dim> memory_numbers_;           // of the last phase of a path
