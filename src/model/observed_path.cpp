@@ -22,19 +22,40 @@ void add_friction(const std::vector<ContactNode<dim>>& nodes, ContactSurface& su
   }
 }
 
+namespace {
+
+/// By contact node: whether it carries the contact whose loop is told, that of the first pair.
+template <int dim>
+std::vector<char> in_loop(const Assembly<dim>& assembly) {
+  if (assembly.pairs.empty()) return std::vector<char>(assembly.contact_nodes.size(), 1);
+  std::vector<char> result(assembly.contact_nodes.size(), 0);
+  for (const auto& facet : assembly.pairs.front().slave)
+    for (const int node : facet) result[static_cast<std::size_t>(assembly.contact_node(node))] = 1;
+  return result;
+}
+
+}  // namespace
+
+/// Of a pair the place of the second body, in the frame of the first, at the point where they slide.
 template <int dim>
 void WearModel<dim>::add_path(const FieldValues<dim>& values, double t, std::size_t p,
                               const std::vector<ContactNode<dim>>& nodes,
                               ContactSurface& surface) const {
   add_friction(nodes, surface);
+  const std::vector<char> counts = in_loop(assembly());
   Vector<dim> force = Vector<dim>::Zero();
-  for (const ContactNode<dim>& node : nodes) force -= assembly().copies * node.force;
+  for (std::size_t c = 0; c < nodes.size(); ++c)
+    if (counts[c]) force -= assembly().copies * nodes[c].force;
   for (int i = 0; i < dim; ++i) force[i] = sum_over_processes(force[i]);
-  const CounterBody<dim>& other = equations_.phases()[p].counter_body;
+  const Phase<dim>& phase = equations_.phases()[p];
+  const CounterBody<dim>& rest = assembly().interface.partner;
+  const CyclicMotion<dim>& motion = assembly().cycle->motion;
+  Vector<dim> place = assembly().pairs.empty()
+                          ? Vector<dim>(phase.counter_body.position - rest.position)
+                          : carried_by(motion, rest, phase, motion.point);
   const PartnerMotion<> q = equations_.partner_motion(values, t, p);
-  Vector<dim> place = other.position - assembly().interface.partner.position;
-  for (std::size_t k = 0; k < other.guides.size(); ++k)
-    place += q[static_cast<Eigen::Index>(k)] * other.guides[k].along;
+  for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
+    place += q[static_cast<Eigen::Index>(k)] * phase.counter_body.guides[k].along;
   append<dim>(surface.phase_loop, place);
   append<dim>(surface.phase_loop, force);
 }
