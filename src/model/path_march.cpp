@@ -10,6 +10,10 @@
 
 namespace gnomon {
 
+/// Of the tractions that are known where Newton's method begins, so that what slipped before begins
+/// as stuck.
+constexpr double inside = 0.99;
+
 /// The equations of one phase.
 template <int dim>
 struct PathMarch<dim>::Alone {
@@ -34,12 +38,13 @@ struct PathMarch<dim>::Alone {
     values.vector(fields().memory) = place;
     system.freeze(values, t);
   }
-  /// Where a solution y is, from which the next one goes on.
+  /// Of a solution y: the places from which the next one goes on, and where it begins.
   void go_on_from(std::span<double> y) {
     FieldValues<dim> of = system.values(t, y);
     remember(places(of));
-    if (fields().place == FieldId::none) return;
-    of.vector(fields().place) = values.vector(fields().memory);
+    of.vector(fields().traction) *= inside;
+    if (fields().place != FieldId::none)
+      of.vector(fields().place) = values.vector(fields().memory);
     system.numbering().gather(of, y);
   }
 };
@@ -69,6 +74,7 @@ void PathMarch<dim>::load() {
   RampOptions options = ramp_options(whole_.assembly());
   options.first = std::min(options.first, increment);
   options.largest = increment;
+  options.good_iterations = 12;  // of equilibria that are solved for to rounding
   const RampReport ramp =
       find_equilibrium(alone.equations, alone.system, options, alone.values, counters_,
                        [&alone](std::span<double> y) { alone.go_on_from(y); });
@@ -157,7 +163,6 @@ bool PathMarch<dim>::is_far(const Phase<dim>& phase) const {
 
 template <int dim>
 void PathMarch<dim>::start_from_last(Alone& alone) const {
-  constexpr double inside = 0.99;  // of the limit of friction
   const WornBodyFields& fields = alone.fields();
   alone.values.vector(fields.u) = last_.u;
   alone.values.vector(fields.traction) = inside * last_.traction;

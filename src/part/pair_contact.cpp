@@ -67,6 +67,23 @@ void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) 
   }
 }
 
+/// Slip is that of the slave's nodes while they are covered: the slave is the surface that the other
+/// one covers over the cycle, if one of them is clearly smaller. Returns why, or nothing.
+template <int dim>
+std::string choose_covered(const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
+  constexpr double clearly = 0.8;
+  const auto area = [&](const auto& facets) {
+    double sum = 0;
+    for (const auto& patch : contact_patches<dim>(parts.mesh, facets, {}, parts.section()))
+      sum += patch.initial_area;
+    return sum;
+  };
+  const double slave = area(pair.slave), master = area(pair.master);
+  if (std::min(slave, master) > clearly * std::max(slave, master)) return "";
+  if (slave > master) reverse(pair);
+  return "it is the smaller surface, which stays covered";
+}
+
 /// Where two surfaces that wear meet at an edge, a node has one normal and one pressure for both.
 template <int dim>
 void tell_of_edges(AssemblyParts<dim>& parts) {
@@ -121,7 +138,8 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
           "{}: [[pair]]: expected bodies that meet, but \"{}\" and \"{}\" are {:.3g} mm apart, and "
           "loads and supports bring them nearer by about {:.3g} mm",
           scene.path().string(), pair.bodies[0], pair.bodies[1], gap, closed / 3));
-    const std::string reason = choose_slave<dim>(nearest, parts.section(), parts.bodies, pair);
+    std::string reason = parts.interface.sticks ? choose_covered(parts, pair) : "";
+    if (reason.empty()) reason = choose_slave<dim>(nearest, parts.section(), parts.bodies, pair);
     // Surfaces of several pairs go on to where the other one begins: each has what is near.
     const bool alone = parts.pairs.size() == 1;
     join_beside<dim>(nearest, pair,
