@@ -172,9 +172,11 @@ private:
       memory_.chattering = {};
       memory_.chattering.add(model().contact(state()));
     }
-    auto next = integrator_.make(model().system(), settings_, counters_);
-    outcome_.restarts += !next->follow(*stepper_, state(), change->same_unknowns);
-    stepper_ = std::move(next);
+    if (stepper_) {  // none at the start
+      auto next = integrator_.make(model().system(), settings_, counters_);
+      outcome_.restarts += !next->follow(*stepper_, state(), change->same_unknowns);
+      stepper_ = std::move(next);
+    }
     last_checkpoint_.epoch = epochs_.number();
     if (!writer_) return;
     writer_->begin_epoch(change->start, model().grid);
