@@ -34,9 +34,16 @@ std::vector<char> in_loop(const Assembly<dim>& assembly) {
   return result;
 }
 
+/// How far the master of the first pair has moved, in the frame of the slave, where they slide.
+template <int dim>
+Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase) {
+  const PairPlaces<dim> places(assembly.pairs.front(), phase.places);
+  const Vector<dim>& X = assembly.cycle->motion.point;
+  return places.of[0].turn.transpose() * (places.of[1].of(X) - places.of[0].of(X));
+}
+
 }  // namespace
 
-/// Of a pair the place of the second body, in the frame of the first, at the point where they slide.
 template <int dim>
 void WearModel<dim>::add_path(const FieldValues<dim>& values, double t, std::size_t p,
                               const std::vector<ContactNode<dim>>& nodes,
@@ -48,11 +55,10 @@ void WearModel<dim>::add_path(const FieldValues<dim>& values, double t, std::siz
     if (counts[c]) force -= assembly().copies * nodes[c].force;
   for (int i = 0; i < dim; ++i) force[i] = sum_over_processes(force[i]);
   const Phase<dim>& phase = equations_.phases()[p];
-  const CounterBody<dim>& rest = assembly().interface.partner;
-  const CyclicMotion<dim>& motion = assembly().cycle->motion;
-  Vector<dim> place = assembly().pairs.empty()
-                          ? Vector<dim>(phase.counter_body.position - rest.position)
-                          : carried_by(motion, rest, phase, motion.point);
+  Vector<dim> place =
+      assembly().pairs.empty()
+          ? Vector<dim>(phase.counter_body.position - assembly().interface.partner.position)
+          : place_in_loop(assembly(), phase);
   const PartnerMotion<> q = equations_.partner_motion(values, t, p);
   for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
     place += q[static_cast<Eigen::Index>(k)] * phase.counter_body.guides[k].along;

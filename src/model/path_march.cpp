@@ -43,8 +43,7 @@ struct PathMarch<dim>::Alone {
     FieldValues<dim> of = system.values(t, y);
     remember(places(of));
     of.vector(fields().traction) *= inside;
-    if (fields().place != FieldId::none)
-      of.vector(fields().place) = values.vector(fields().memory);
+    if (fields().place != FieldId::none) of.vector(fields().place) = values.vector(fields().memory);
     system.numbering().gather(of, y);
   }
 };

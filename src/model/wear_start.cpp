@@ -85,9 +85,9 @@ double indentation(const Assembly<dim>& body, double fraction) {
   return body.scales.displacement * std::cbrt(fraction * fraction);
 }
 
-/// Moves bodies of pairs that no support holds to where they rest, tells `touching` of it, and moves
-/// them so far that a node of the slave is in contact: the mean gap over its share of the surface is
-/// larger than that where bodies touch, and closes slowly where the surface is steep.
+/// Moves bodies of pairs that no support holds to where they rest, tells `touching` of it, and
+/// moves them so far that a node of the slave is in contact: the mean gap over its share of the
+/// surface is larger than that where bodies touch, and closes slowly where the surface is steep.
 template <int dim>
 void close_gap_of_pairs(const WornBodyEquations<dim>& equations, const ComposedSystem<dim>& contact,
                         std::size_t phase, FieldValues<dim>& values,

@@ -67,8 +67,8 @@ void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) 
   }
 }
 
-/// Slip is that of the slave's nodes while they are covered: the slave is the surface that the other
-/// one covers over the cycle, if one of them is clearly smaller. Returns why, or nothing.
+/// Slip is that of the slave's nodes while they are covered: the slave is the surface that the
+/// other one covers over the cycle, if one of them is clearly smaller. Returns why, or nothing.
 template <int dim>
 std::string choose_covered(const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
   constexpr double clearly = 0.8;

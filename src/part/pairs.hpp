@@ -17,7 +17,8 @@ std::vector<Key> pair_keys();
 /// Whether the bodies meet each other, and no counter-body.
 bool has_pairs(const Scene& scene);
 
-/// Whether friction may stick: in [[pair]], or friction.stick. Throws InputError where pairs differ.
+/// Whether friction may stick: in [[pair]], or friction.stick. Throws InputError where pairs
+/// differ.
 bool may_stick(const Scene& scene);
 
 /// What is wrong in [[pair]] whatever the mesh is.

@@ -89,9 +89,8 @@ Motion<dim> read_motion(const Scene& scene, Section section,
   if (cycle && motion.rolling)
     throw InputError(scene.where("rolling.velocity") + ": expected no [cycle] beside it");
   if (cycle)
-    motion.phases = may_stick(scene)
-                        ? read_path(scene, *cycle, motion.partner, motion.force)
-                        : read_phases(scene, *cycle, motion.partner, motion.force);
+    motion.phases = may_stick(scene) ? read_path(scene, *cycle, motion.partner, motion.force)
+                                     : read_phases(scene, *cycle, motion.partner, motion.force);
   return motion;
 }
 

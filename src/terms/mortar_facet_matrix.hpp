@@ -42,8 +42,9 @@ private:
   }
 };
 
-/// Rows: lambda of the corners, r of the corners where friction may stick, then u and d of the nodes
-/// with rows; columns: the own unknowns of each corner (MortarTraction), then u and d of all nodes.
+/// Rows: lambda of the corners, r of the corners where friction may stick, then u and d of the
+/// nodes with rows; columns: the own unknowns of each corner (MortarTraction), then u and d of all
+/// nodes.
 template <int dim>
 class FacetMatrix {
   static constexpr int corners = Mesh<dim>::facet_nodes;
@@ -139,8 +140,7 @@ public:
     K_.block(d_row(a), corners * own_, dim, 2 * columns_) +=
         direction * (rate * G_.row(a) + rate_by_speed * D * speed_by_[a]);
     K_.block(d_row(a), own_ * a, dim, own_) +=
-        D * direction *
-        (rate_by_pressure * of.pressure_by_own + rate_by_speed * of.speed_by_own);
+        D * direction * (rate_by_pressure * of.pressure_by_own + rate_by_speed * of.speed_by_own);
   }
   /// The wear of corner b of a master by the area that it shares with corner a.
   void add_master_wear(int a, int master, int b, const Vector<dim>& direction, double by_shared) {

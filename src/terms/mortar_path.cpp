@@ -88,9 +88,8 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
   const auto count = static_cast<Eigen::Index>(of.nodes.size());
   Eigen::MatrixXd by_nodes(dim, 2 * dim * count);
   for (Eigen::Index p = 0; p < count; ++p) {
-    const Tensor<dim> by =
-        sticking.constraint_by_n * state.normal->by_x[static_cast<std::size_t>(p)] *
-        place(side).turn;
+    const Tensor<dim> by = sticking.constraint_by_n *
+                           state.normal->by_x[static_cast<std::size_t>(p)] * place(side).turn;
     by_nodes.middleCols(dim * p, dim) = by;
     by_nodes.middleCols(dim * (count + p), dim) = by;
   }
@@ -112,7 +111,7 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
 
 template FacetNodal<2> MortarTerm<2>::labels_of(const Evaluation<2>&, int, int) const;
 template StickingInput<2> MortarTerm<2>::sticking_input(const Evaluation<2>&, const Side&,
-                                                       const Vector<2>&) const;
+                                                        const Vector<2>&) const;
 template NodalField<2> MortarTerm<2>::places(const Evaluation<2>&) const;
 template void MortarTerm<2>::declare_path(const Side&, PatternBuilder&) const;
 template void MortarTerm<2>::add_path_residual(const Evaluation<2>&, const Side&, const SideState&,
@@ -121,7 +120,7 @@ template void MortarTerm<2>::add_path(const Side&, const SideState&, double,
                                       std::span<double>) const;
 template FacetNodal<3> MortarTerm<3>::labels_of(const Evaluation<3>&, int, int) const;
 template StickingInput<3> MortarTerm<3>::sticking_input(const Evaluation<3>&, const Side&,
-                                                       const Vector<3>&) const;
+                                                        const Vector<3>&) const;
 template NodalField<3> MortarTerm<3>::places(const Evaluation<3>&) const;
 template void MortarTerm<3>::declare_path(const Side&, PatternBuilder&) const;
 template void MortarTerm<3>::add_path_residual(const Evaluation<3>&, const Side&, const SideState&,

@@ -29,8 +29,7 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
     add(path.lambda_before, 1);
     add(path.before, dim);
   }
-  if (state.path && state.path->is_last)
-    memory_numbers_ = numbering.nodal<dim>(state.path->memory);
+  if (state.path && state.path->is_last) memory_numbers_ = numbering.nodal<dim>(state.path->memory);
   for (const MortarPair<dim>& pair : state.pairs) places_.emplace_back(pair, state.places);
   find_sides();
   find_facets();

@@ -51,6 +51,8 @@ Overrides coarse(const std::string& scene) {
     return {"mesh.factor=2.5", "time.end=720", "output.times=[]"};
   if (scene == "worn_body/cylinder_and_flat.toml")
     return {"mesh.factor=3", "cycle.phases=2", "time.end=400", "output.times=[]"};
+  if (scene == "worn_body/fretting_pair.toml")
+    return {"mesh.factor=3", "cycle.phases=4", "time.end=400", "output.times=[]"};
   if (scene == "worn_body/half_round_ring_on_steel.toml")
     return {"mesh.factor=2", "time.end=0.3", "output.times=[]"};
   if (scene == "worn_body/sphere_on_disc.toml")

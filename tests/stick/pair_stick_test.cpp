@@ -177,9 +177,9 @@ x = "4e-4 * sin(2*pi*tau)"
 TEST_F(PairFretting, LongStrokesTendToGrossSliding) {
   std::vector<double> lost;
   for (const double amplitude : {0.004, 0.008}) {
-    const auto model = this->model(
-        similar(fmt::format("x = \"{} * (1 - 4 * abs(tau - 0.5))\"", amplitude)),
-        {"cycle.phases=16", "mesh.file=coarse_two.geo"});
+    const auto model =
+        this->model(similar(fmt::format("x = \"{} * (1 - 4 * abs(tau - 0.5))\"", amplitude)),
+                    {"cycle.phases=16", "mesh.file=coarse_two.geo"});
     Counters counters;
     const double gross = Mindlin::k * Mindlin::P * 4 * amplitude;
     lost.push_back(1 - observed(*model, model->start(counters), "wear_flux") / gross);
@@ -192,8 +192,8 @@ TEST_F(PairFretting, BlocksSolveAsFactorsOfTheWholeJacobian) {
   std::vector<double> worn;
   for (const char* solver : {"block", "direct"}) {
     const auto model = this->model(similar("x = \"4e-4 * sin(2*pi*tau)\""),
-                                   {fmt::format("solver.method={}", solver), "mesh.file=coarse_two.geo",
-                                    "wear.coefficient=2.9e-7"});
+                                   {fmt::format("solver.method={}", solver),
+                                    "mesh.file=coarse_two.geo", "wear.coefficient=2.9e-7"});
     const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1000);
     worn.push_back(observed(*model, run.last(), "worn_volume"));
     EXPECT_LE(double(run.counters.krylov_iterations), 4.0 * double(run.counters.linear_solves));
@@ -235,7 +235,8 @@ AssemblyParts<dim> on_a_path(const TwoBodies& pair, double stroke, double turnin
   for (int p = 0; p < 2; ++p) {
     Phase<dim> phase{.position = 0.5 * (p + 1), .weight = 0.5, .interval = 0.5, .places = {}};
     Tensor<dim> turn = Tensor<dim>::Identity();
-    turn.template topLeftCorner<2, 2>() = Eigen::Rotation2Dd(turning * (0.7 + p)).toRotationMatrix();
+    turn.template topLeftCorner<2, 2>() =
+        Eigen::Rotation2Dd(turning * (0.7 + p)).toRotationMatrix();
     phase.places.assign(2, {.turn = turn, .shift = Vector<dim>::Constant(0.3)});
     phase.places[1].shift += p * stroke * turn.col(0);
     parts.phases.push_back(std::move(phase));

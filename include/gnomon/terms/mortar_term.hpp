@@ -110,12 +110,12 @@ private:
   };
   /// What a side has at a state.
   struct SideState {
-    double lambda = 0;  ///< effective; of a slave
-    double area = 0;    ///< D of a slave, C of a master
-    double gap = 0;     ///< g of a slave, times area
-    double load = 0;    ///< force by pressure: D p, or sum_i p_i W_ij
-    double rubbing = 0; ///< the same of the pressures that wear
-    double power = 0;   ///< rubbing times speed of sliding
+    double lambda = 0;   ///< effective; of a slave
+    double area = 0;     ///< D of a slave, C of a master
+    double gap = 0;      ///< g of a slave, times area
+    double load = 0;     ///< force by pressure: D p, or sum_i p_i W_ij
+    double rubbing = 0;  ///< the same of the pressures that wear
+    double power = 0;    ///< rubbing times speed of sliding
     bool active = false;
     Vector<dim> force = Vector<dim>::Zero();     ///< in space
     Vector<dim> covering = Vector<dim>::Zero();  ///< of a slave sum_j M_ij (X_j + d_j) [volume]
@@ -205,12 +205,12 @@ private:
   MortarState<dim> state_;
   std::vector<PairPlaces<dim>> places_;  // by pair
   NodalNumbers<dim> u_numbers_, d_numbers_;
-  bool shape_is_unknown_;  // else a node may touch where it could not wear
+  bool shape_is_unknown_;                      // else a node may touch where it could not wear
   std::vector<std::vector<int>> own_numbers_;  // of each contact node: those of its traction;
                                                // masters: -1
   NodalNumbers<dim> memory_numbers_;           // of the last phase of a path
-  std::vector<int> contact_of_;              // by mesh node; -1: none
-  std::vector<std::map<int, int>> side_of_;  // by pair and mesh node
+  std::vector<int> contact_of_;                // by mesh node; -1: none
+  std::vector<std::map<int, int>> side_of_;    // by pair and mesh node
   std::vector<Side> sides_;
   std::vector<SlaveFacet> facets_;
   const SparsePattern* pattern_ = nullptr;

@@ -12,10 +12,10 @@ template <int dim>
 struct MortarTraction {
   using Row = Eigen::RowVectorXd;
   using OfVector = Eigen::Matrix<double, 1, dim>;
-  Vector<dim> value = Vector<dim>::Zero();         ///< on the slave, in space [stress]
+  Vector<dim> value = Vector<dim>::Zero();  ///< on the slave, in space [stress]
   Eigen::Matrix<double, dim, Eigen::Dynamic> by_own;
   Tensor<dim> by_n = Tensor<dim>::Zero(), by_x = Tensor<dim>::Zero();
-  double pressure = 0, speed = 0;                  ///< p and v of the wear law
+  double pressure = 0, speed = 0;  ///< p and v of the wear law
   Row pressure_by_own, speed_by_own;
   OfVector speed_by_n = OfVector::Zero(), speed_by_x = OfVector::Zero();
 
@@ -33,12 +33,12 @@ struct MortarTraction {
 /// A slave node in a phase of a path, of the pair's two bodies.
 template <int dim>
 struct StickingInput {
-  double lambda = 0;        ///< [stress]
-  Vector<dim> traction;     ///< lambda_T, in the frame of the slave [stress]
-  Vector<dim> place;        ///< r, in the frame of the master [length]
-  double lambda_before = 0; ///< of the phase before [stress]
-  Vector<dim> before;       ///< r of the phase before [length]
-  Vector<dim> normal;       ///< n, out of the slave, in space
+  double lambda = 0;                ///< [stress]
+  Vector<dim> traction;             ///< lambda_T, in the frame of the slave [stress]
+  Vector<dim> place;                ///< r, in the frame of the master [length]
+  double lambda_before = 0;         ///< of the phase before [stress]
+  Vector<dim> before;               ///< r of the phase before [length]
+  Vector<dim> normal;               ///< n, out of the slave, in space
   std::array<Tensor<dim>, 2> turn;  ///< of slave and master
 };
 
@@ -59,9 +59,9 @@ struct StickingTraction {
   Vector<dim> constraint;  ///< C of lambda_T, in the frame of the slave [length]
   Eigen::Matrix<double, dim, own> constraint_by_own;
   Tensor<dim> constraint_by_n;
-  Vector<dim> slip;        ///< in the frame of the slave [length]
+  Vector<dim> slip;  ///< in the frame of the slave [length]
   bool sticks = false;
-  double excess = 0;       ///< |T^| - r, of the switching function [stress]
+  double excess = 0;  ///< |T^| - r, of the switching function [stress]
 
   StickingTraction(const StickingParameters& parameters, const StickingInput<dim>& at, bool closed,
                    std::optional<bool> sticks);

@@ -1,4 +1,4 @@
-"""Friction that may stick, over a cycle: the loop of the force that moves the counter-body over its
+"""Friction that may stick, over a cycle: the loop of the force that moves the partner over its
 place, at the start and at up to two stored times, and where the contact sticks and slips at the
 end. In space along x at y = 0."""
 
@@ -22,7 +22,7 @@ def draw(result):
 
 
 def draw_loops(axes, result):
-    """Along the direction in which the counter-body moves most to and fro beside the press."""
+    """Along the direction in which the partner moves most to and fro beside the press."""
     steps = [0, *result.some_steps(MOST_TIMES)]
     along = driven(result.phase_loop(steps[-1]), result.dim)
     for step, colour in zip(steps, style.COLOURS):
@@ -31,7 +31,8 @@ def draw_loops(axes, result):
         axes.plot(1e3 * numpy.append(place, place[0]), numpy.append(force, force[0]), color=colour,
                   marker="o", markersize=2, label="$t$ = " + result.clock.text(result.times[step]))
     name = "xyz"[along]
-    axes.set_xlabel(f"displacement of the counter-body along {name} [um]")
+    partner = "other body" if result.has_pairs else "counter-body"
+    axes.set_xlabel(f"displacement of the {partner} along {name} [um]")
     axes.set_ylabel(f"force along {name} [{'N/mm' if result.dim == 2 else 'N'}]")
     axes.legend(loc="upper left")
     low, high = axes.get_ylim()
@@ -51,7 +52,7 @@ def driven(rows, dim):
 
 def draw_zones(axes, result):
     step = len(result.times) - 1
-    line = curves.of(result)[0]
+    line = line_of(result, step)
     where, states = zones_of(result, line, step)
     borders = cycle.parts_of_cycle(result.phases)
     colours = [style.BAND, style.COLOURS[0], style.COLOURS[5]]
@@ -68,6 +69,18 @@ def draw_zones(axes, result):
     axes.set_title("$t$ = " + result.clock.text(result.times[step]))
     axes.legend(handles=[Patch(color=colour, label=name) for colour, name in zip(colours, STATES)],
                 loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3)
+
+
+def line_of(result, step):
+    """In the plane of two bodies that whose nodes carry the slip."""
+    line = curves.of(result)[0]
+    if result.dim == 3 or not result.has_pairs:
+        return line
+    bodies = result.bodies[result.contact(step)["node"]]
+    slip = numpy.abs(result.phase_slip(step)).sum(axis=(0, 2))
+    carry = bodies == bodies[numpy.argmax(slip)]
+    return curves.Curve(result, line.axis, line.where,
+                        lambda table: curves.in_order(table[carry], line.axis), line.axis_name)
 
 
 def zones_of(result, line, step):
