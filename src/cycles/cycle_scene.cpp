@@ -67,6 +67,8 @@ std::vector<std::string> function_names(const Scene& scene) {
   names.emplace_back("counter_body.press.cycle");
   for (const std::string& entry : scene.chosen_names("counter_body.press.#.cycle"))
     names.push_back("counter_body.press." + entry + ".cycle");
+  for (const std::string& entry : scene.chosen_names("load.#.cycle"))
+    names.push_back("load." + entry + ".cycle");
   return names;
 }
 

@@ -25,6 +25,7 @@ std::string varying_stiffness(const AssemblyParts<dim>& parts) {
   if (!std::ranges::all_of(parts.loads,
                            [](const Load<dim>& load) { return load.forces.size() > 0; }))
     return "loads that do not follow the surface, instead of a pressure";
+  if (!parts.swinging_loads.empty()) return "loads without a factor of their own over the cycle";
   return {};
 }
 

@@ -50,9 +50,10 @@ struct PathMarch<dim>::Alone {
 
 namespace {
 
-/// With a part of the forces along all guides but the first.
+/// With a part of the forces along all guides but the first, and of the swinging loads.
 template <int dim>
 Phase<dim> with_tangential(Phase<dim> phase, double part) {
+  phase.swing = part;
   std::vector<Guide<dim>>& guides = phase.counter_body.guides;
   for (std::size_t k = 1; k < guides.size(); ++k)
     if (guides[k].force) *guides[k].force *= part;

@@ -237,7 +237,7 @@ std::vector<Scalar> force_columns(const Assembly<dim>& assembly, const ForceBala
                          sum_over_processes(each.torque[i])});
   };
   const auto has = [&](const std::string& name) {
-    if (name == "loads") return !assembly.loads.empty();
+    if (name == "loads") return !assembly.loads.empty() || !assembly.swinging_loads.empty();
     if (name == "supports") return assembly.supports.named.empty();
     return name == "contact" || (name == "friction" && assembly.interface.friction != 0);
   };

@@ -136,12 +136,14 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
       });
     return;
   }
-  throw InputError(
-      fmt::format("{}: expected supports that hold {}, but it can still move as a rigid body "
-                  "in {} {}, for "
-                  "example it can {}; name what is held in [[support]], with directions",
-                  scene.path().string(), name_of(parts, part), free, free == 1 ? "way" : "ways",
-                  describe<dim>(vectors.col(0), direction_names<dim>(scene))));
+  throw InputError(fmt::format(
+      "{}: expected supports that hold {}, but it can still move as a rigid body "
+      "in {} {}, for "
+      "example it can {}; name what is held in [[support]], with directions{}",
+      scene.path().string(), name_of(parts, part), free, free == 1 ? "way" : "ways",
+      describe<dim>(vectors.col(0), direction_names<dim>(scene)),
+      parts.interface.sticks ? "; friction does not count, a support with a small stiffness does"
+                             : ""));
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
 
 #include "part/groups.hpp"
 #include "part/histories.hpp"
+#include "part/pairs.hpp"
 
 namespace gnomon::part {
 
@@ -23,6 +25,9 @@ std::vector<Key> load_keys() {
                "pressure, positive pushes on the body; follows the deformed surface"),
       reals_key("load.#.acceleration", "mm/s^2", absent("none"), any_quantity,
                 "for example of gravity; needs body.density"),
+      cycle_function_key("load.#.cycle", "",
+                         "factor of the load over the cycle, an expression in tau or a file of "
+                         "points (.csv), beside other loads that press; needs stick"),
       times_key("load.#", "the load"),
       factors_key("load.#", "the load"),
   };
@@ -87,6 +92,14 @@ Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedB
   return result;
 }
 
+/// Names of the tables with a factor of their own over the cycle, or of those without.
+std::vector<std::string> tables_of_loads(const Scene& scene, bool swinging) {
+  std::vector<std::string> tables;
+  for (const std::string& load : entries_of(scene, "load", load_keys(), {}))
+    if (scene.given(load + ".cycle") == swinging) tables.push_back(load);
+  return tables;
+}
+
 }  // namespace
 
 void find_mistakes_of_loads(const Scene& scene, Mistakes& mistakes) {
@@ -103,12 +116,43 @@ std::vector<Load<dim>> read_loads(const Scene& scene, const ImportedBody<dim>& p
                                   const std::vector<Body>& bodies) {
   std::vector<Load<dim>> loads;
   Mistakes mistakes;
-  for (const std::string& load : entries_of(scene, "load", load_keys(), {}))
+  for (const std::string& load : tables_of_loads(scene, false))
     mistakes.collect([&] { loads.push_back(read_load(scene, load, part, bodies)); });
   mistakes.require_none();
   return loads;
 }
 
+template <int dim>
+std::vector<SwingingLoad<dim>> read_swinging_loads(const Scene& scene,
+                                                   const ImportedBody<dim>& part,
+                                                   const std::vector<Body>& bodies) {
+  std::vector<SwingingLoad<dim>> loads;
+  const std::vector<std::string> tables = tables_of_loads(scene, true);
+  const std::vector<CycleFunction> factors = factors_of_loads(scene);
+  for (std::size_t k = 0; k < tables.size(); ++k)
+    loads.push_back({read_load(scene, tables[k], part, bodies), factors[k]});
+  return loads;
+}
+
+std::vector<CycleFunction> factors_of_loads(const Scene& scene) {
+  std::vector<CycleFunction> factors;
+  for (const std::string& load : tables_of_loads(scene, true)) {
+    const std::string key = load + ".cycle";
+    if (!may_stick(scene))
+      throw InputError(scene.where(key) +
+                       ": expected friction.stick = true, or stick of [[pair]], beside it; "
+                       "cycle.load changes all loads that press");
+    if (!scene.given("cycle.period"))
+      throw InputError(scene.where(key) + ": expected also cycle.period");
+    factors.push_back(*read_cycle_function(scene, key));
+  }
+  return factors;
+}
+
+template std::vector<SwingingLoad<2>> read_swinging_loads(const Scene&, const ImportedBody<2>&,
+                                                          const std::vector<Body>&);
+template std::vector<SwingingLoad<3>> read_swinging_loads(const Scene&, const ImportedBody<3>&,
+                                                          const std::vector<Body>&);
 template std::vector<Load<2>> read_loads(const Scene&, const ImportedBody<2>&,
                                          const std::vector<Body>&);
 template std::vector<Load<3>> read_loads(const Scene&, const ImportedBody<3>&,

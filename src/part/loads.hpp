@@ -13,9 +13,18 @@ std::vector<Key> load_keys();
 /// What is wrong in [[load]] whatever the mesh is.
 void find_mistakes_of_loads(const Scene& scene, Mistakes& mistakes);
 
-/// Throws InputError.
+/// Those without a factor of their own over the cycle. Throws InputError.
 template <int dim>
 std::vector<Load<dim>> read_loads(const Scene& scene, const ImportedBody<dim>& part,
                                   const std::vector<Body>& bodies);
+
+/// Those with one. Throws InputError.
+template <int dim>
+std::vector<SwingingLoad<dim>> read_swinging_loads(const Scene& scene,
+                                                   const ImportedBody<dim>& part,
+                                                   const std::vector<Body>& bodies);
+
+/// The factors of these. Throws InputError where friction may not stick.
+std::vector<CycleFunction> factors_of_loads(const Scene& scene);
 
 }  // namespace gnomon::part

@@ -58,11 +58,12 @@ void read_cycle_of_bodies(const Scene& scene, const std::map<std::string, BodyCy
                       scene.path().string(), name));
   if (!cycle) return;
   const bool changes =
-      cycle->load || std::ranges::any_of(motions, [](const auto& of) { return of.second.moves(); });
+      cycle->load || !parts.swinging_loads.empty() ||
+      std::ranges::any_of(motions, [](const auto& of) { return of.second.moves(); });
   if (!changes)
     throw InputError(scene.where("cycle.period") +
-                     ": expected what changes over the cycle: motion.#.cycle of a body, or "
-                     "cycle.load; a steady motion needs no [cycle]");
+                     ": expected what changes over the cycle: motion.#.cycle of a body, "
+                     "cycle.load or load.#.cycle; a steady motion needs no [cycle]");
   require_common_places(scene, motions, parts);
   CyclicMotion<dim> motion{.cycle = *cycle, .axis = {}};
   for (const Body& body : parts.bodies) {

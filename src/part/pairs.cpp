@@ -309,8 +309,9 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   double speed = 0;
   for (const MortarPair<dim>& pair : parts.pairs) {
     const double own = speed_of(pair, parts);
-    for (std::string& remark : remarks_on_sliding(pair, own))
-      parts.remarks.push_back(std::move(remark));
+    if (!parts.interface.sticks)
+      for (std::string& remark : remarks_on_sliding(pair, own))
+        parts.remarks.push_back(std::move(remark));
     speed = std::max(speed, own);
   }
   if (!parts.interface.speed) parts.interface.speed = speed;

@@ -183,11 +183,13 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   Supports<dim> supports{};
   std::vector<Body> bodies;
   std::vector<Load<dim>> loads;
+  std::vector<SwingingLoad<dim>> swinging_loads;
   if (!pairs) mistakes.collect([&] { motion = read_motion(scene, section, patches); });
   mistakes.collect([&] { supports = read_supports(scene, part); });
   mistakes.collect([&] {
     bodies = read_bodies(scene, part, section);
     loads = read_loads(scene, part, bodies);
+    swinging_loads = read_swinging_loads(scene, part, bodies);
   });
   if (wears) mistakes.collect([&] { require_free_contact(scene, part); });
   if (wears)
@@ -203,6 +205,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
                            .bodies = std::move(bodies),
                            .supports = std::move(supports),
                            .loads = std::move(loads),
+                           .swinging_loads = std::move(swinging_loads),
                            .interface = {.surfaces = std::move(surfaces),
                                          .boundary = part.exterior,
                                          .partner = motion.partner,

@@ -9,6 +9,8 @@
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
 
+#include "part/loads.hpp"
+
 namespace gnomon::part {
 
 namespace {
@@ -31,9 +33,14 @@ std::vector<const Cycle*> cycles_of(const CyclicMotion<dim>& motion) {
 
 /// Positions in [0, 1) at which a function of the cycle turns, jumps or has a corner.
 template <int dim>
-std::vector<double> extremes_of(const CyclicMotion<dim>& motion) {
+std::vector<double> extremes_of(const CyclicMotion<dim>& motion,
+                                const std::vector<CycleFunction>& loads) {
   std::vector<const CycleFunction*> functions;
   std::vector<double> found;
+  for (const CycleFunction& factor : loads) {
+    functions.push_back(&factor);
+    found = merged_kinks(std::move(found), factor.kinks());
+  }
   for (const Cycle* cycle : cycles_of(motion)) {
     for (const CycleFunction* function : functions_of(*cycle)) functions.push_back(function);
     found = merged_kinks(std::move(found), cycle->kinks());
@@ -99,7 +106,7 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
                            rest.guides[k].key));
   if (std::ranges::any_of(rest.guides, &Guide<dim>::turns))
     refuse(scene, "no moment in [[counter_body.press]] beside it");
-  const std::vector<double> extremes = extremes_of(motion);
+  const std::vector<double> extremes = extremes_of(motion, factors_of_loads(scene));
   ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
   result.phases = path_phases(points_of(scene, extremes), motion, rest, force);
   require_forces(scene, result.phases, rest.guides.empty() ? "" : rest.guides.front().key, force);

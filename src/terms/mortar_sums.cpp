@@ -192,6 +192,7 @@ void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> val
 template <int dim>
 std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) const {
   const Surfaces result = surfaces(at);
+  const BodyPlace<dim> at_rest;
   std::vector<ContactNode<dim>> nodes(state_.patches.size());
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     const SideState& state = result.sides[s];
@@ -204,6 +205,10 @@ std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) 
     const Tensor<dim>& turn = place(sides_[s]).turn;
     node.force += turn.transpose() * state.force;
     if (state.normal) node.normal = -turn.transpose() * state.normal->value;
+    if (!sides_[s].slave && state_.path && state.active)  // what rubs on it is told, too
+      node.normal = -NodeNormal<dim>(patch(sides_[s]), positions(at, patch(sides_[s]), &at_rest),
+                                     Tensor<dim>::Identity())
+                         .value;
     if (state.sticking) {
       node.slip = state.sticking->slip;
       node.sticks = state.sticking->sticks;

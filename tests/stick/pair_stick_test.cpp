@@ -53,6 +53,23 @@ Physical Surface("flat") = {{1, 2, 3, 4}}; Physical Surface("cap") = {{21, 22, 2
                      side, half, layers, growth);
 }
 
+/// A pad, 0.8 mm wide, on a base of 1.2 mm.
+constexpr const char* pad_on_base = R"(Point(1) = {0, -0.5, 0}; Point(2) = {1.2, -0.5, 0};
+Point(3) = {1.2, 0, 0}; Point(4) = {0, 0, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Point(11) = {0.3, 0, 0}; Point(12) = {1.1, 0, 0}; Point(13) = {1.1, 0.5, 0};
+Point(14) = {0.3, 0.5, 0};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 11};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Curve Loop(11) = {11, 12, 13, 14}; Plane Surface(11) = {11};
+Transfinite Curve {1, 3} = 19; Transfinite Curve {11, 13} = 14;
+Transfinite Curve {2, 4, 12, 14} = 8;
+Transfinite Surface {1}; Transfinite Surface {11}; Recombine Surface {1, 11};
+Physical Curve("bottom") = {1}; Physical Curve("face") = {3}; Physical Curve("foot") = {11};
+Physical Curve("top") = {13}; Physical Curve("sides") = {12, 14};
+Physical Surface("base") = {1}; Physical Surface("pad") = {11};
+)";
+
 class PairFretting : public Fretting {
 protected:
   void SetUp() override {
@@ -63,6 +80,7 @@ protected:
     std::string lower = two_half_planes(16, 14, 1.32);
     lower.replace(lower.find("For k In {0:1}"), 14, "For k In {0:0}");
     lower.erase(lower.find("Physical Curve(\"top\")"));
+    folder_.write("pad.geo", pad_on_base);
     folder_.write("lower.geo", lower + "Physical Surface(\"flat\") = {1, 2, 3, 4};\n");
   }
   /// Pressed by 18.5 N/mm; the cap moves to and fro.
@@ -83,6 +101,31 @@ period = 1.0
 phases = 4
 )",
                        drive);
+  }
+  /// A pad under 10 N/mm, driven by `motion` or `load`.
+  static std::string pad(const std::string& motion, const std::string& load,
+                         const std::string& sides) {
+    return fmt::format(R"(problem = "worn_body"
+mesh.file = "pad.geo"
+body = [ {{ name = "pad", young_modulus = 2e5, poisson_ratio = 0.3, material = "linear" }},
+         {{ name = "base", young_modulus = 2e5, poisson_ratio = 0.3, material = "linear" }} ]
+pair = [ {{ bodies = ["base", "pad"], friction = 0.3 }} ]
+friction.stick = true
+{}
+support = [ {{ on = "bottom" }}, {{ on = "sides", directions = ["x"]{} }} ]
+load = [ {{ on = "top", force = [0.0, -10.0] }}{} ]
+wear = {{ on = ["foot", "face"], coefficient = 1e-8 }}
+time.cycles = 1000
+integrator = {{ name = "esdirk-3", rtol = 1e-3 }}
+[cycle]
+period = 1.0
+phases = 16
+)",
+                       motion, sides, load);
+  }
+  static std::string swinging_pad() {
+    return pad("", ", { on = \"top\", force = [1.8, 0.0], cycle = \"sin(2*pi*tau)\" }",
+               ", stiffness = 1e-6");
   }
 };
 
@@ -121,9 +164,13 @@ TEST_F(PairFretting, SimilarBodiesSlipAndWearAsCattaneosAndMindlins) {
   const auto right = of_phase(surface, surface.phase_traction, 0, 0),
              left = of_phase(surface, surface.phase_traction, 2, 0),
              slip = of_phase(surface, surface.phase_slip, 2, 0);
+  const auto most = std::ranges::max_element(slip, {}, [](double x) { return std::abs(x); });
+  const int slave = surface.body[static_cast<std::size_t>(most - slip.begin())];
   int stuck = 0, slipping = 0;
+  double friction = 0, opposite = 0;  // nodes of both have equal distances
   for (std::size_t c = 0; c < surface.node.size(); ++c) {
-    if (slip[c] == 0) continue;  // a node of the master
+    (surface.body[c] == slave ? friction : opposite) += left[c];
+    if (surface.body[c] != slave) continue;
     const double x = surface.initial[c][0], beside = 0.11 * Mindlin::a();
     const bool inside = std::abs(x) < 0.95 * Mindlin::a();
     if (std::abs(std::abs(x) - theory.c()) > beside && inside) {
@@ -137,6 +184,7 @@ TEST_F(PairFretting, SimilarBodiesSlipAndWearAsCattaneosAndMindlins) {
       EXPECT_GT(std::abs(slip[c]), 1e-7) << x;
     }
   }
+  EXPECT_NEAR(opposite / friction, -1, 1e-3);
   EXPECT_GE(stuck, 8);
   EXPECT_GE(slipping, 4);
   EXPECT_NEAR(observed(*model, start, "wear_flux") / theory.worn_per_cycle(), 1, 0.02);
@@ -199,6 +247,29 @@ TEST_F(PairFretting, BlocksSolveAsFactorsOfTheWholeJacobian) {
     EXPECT_LE(double(run.counters.krylov_iterations), 4.0 * double(run.counters.linear_solves));
   }
   EXPECT_NEAR(worn[0] / worn[1], 1, 1e-5);
+}
+
+TEST_F(PairFretting, ASwingingLoadIsWhatFrictionCarries) {
+  const auto model = this->model(swinging_pad(), {"cycle.phases=4"});
+  Counters counters;
+  const ContactSurface surface = model->contact(model->start(counters)).value();
+  EXPECT_NEAR(std::abs(surface.phase_loop[2]), 1.8, 1e-6);  // at tau = 0.25
+  EXPECT_NEAR(surface.phase_loop[2] + surface.phase_loop[4 + 4 + 2], 0, 1e-6);
+  EXPECT_THAT(failed_start(swinging_pad(), {"load.2.force=[3.1, 0.0]"}),
+              HasSubstr("friction does not balance"));
+  expect_refused(swinging_pad(), {"friction.stick=false"}, "expected friction.stick = true");
+}
+
+/// Its nodes leave the base and come back in every cycle.
+TEST_F(PairFretting, AnOverhangingPadWearsByItsPath) {
+  const auto model = this->model(
+      pad("motion = [ { body = \"pad\", cycle = { x = \"0.2 * sin(2*pi*tau)\" } } ]", "", ""), {});
+  Counters counters;
+  const State start = model->start(counters);
+  const double gross = 1e-8 * 10 * 0.8;
+  for (const char* body : {"wear_flux_pad", "wear_flux_base"})
+    EXPECT_NEAR(observed(*model, start, body) / gross, 1, 0.015) << body;
+  EXPECT_NEAR(observed(*model, start, "friction_work") / (0.3 * 10 * 0.8), 1, 0.015);
 }
 
 TEST_F(PairFretting, WhatDoesNotGoTogetherIsRefused) {

@@ -81,6 +81,14 @@ struct Load {
   bool presses = false;  ///< it alone keeps the bodies together, so that it may not vanish
 };
 
+/// A load whose factor changes over the cycle by itself, beside what presses the bodies on each
+/// other; only where friction may stick.
+template <int dim>
+struct SwingingLoad {
+  Load<dim> load;
+  CycleFunction factor;
+};
+
 /// Where the material of a surface passes its partner once in a turn: each of its lines along the
 /// track wears by the mean along it, and recedes as a whole (sec. 4.3).
 template <int dim>
@@ -158,6 +166,7 @@ struct AssemblyParts {
   std::vector<Body> bodies;
   Supports<dim> supports;
   std::vector<Load<dim>> loads{};
+  std::vector<SwingingLoad<dim>> swinging_loads{};
   Interface<dim> interface;
   /// Contact of the bodies with each other: then they have no rigid partner, of which the approach
   /// alone is read, and the facets of the pairs are those of the interface's surfaces.

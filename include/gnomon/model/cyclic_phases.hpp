@@ -23,6 +23,7 @@ struct Phase {
   /// history; without it the counter-body does not move there.
   std::optional<double> force{};
   double load = 1;                     ///< factor of the loads on the bodies
+  double swing = 1;                    ///< of the swinging ones, beside their own
   std::vector<BodyPlace<dim>> places;  ///< of the bodies of pairs; empty: they are at rest
 
   /// The force along each guide at factor one; nothing where the counter-body is not free.

@@ -1,6 +1,7 @@
 // The fields and terms of a wearing assembly, of which its system is composed (docs/equations.md).
 #pragma once
 
+#include <functional>
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/state.hpp>
@@ -118,7 +119,9 @@ private:
   void add_condensed(std::size_t phase, std::vector<TermFactory<dim>>& terms);
   void add_equilibrium(std::size_t phase, std::vector<TermFactory<dim>>& terms);
   void add_springs(const SpringSupport<dim>& springs, std::vector<TermFactory<dim>>& terms);
-  void add_load(const Load<dim>& load, std::vector<TermFactory<dim>>& terms);
+  /// `factor_in`: its factor in a phase.
+  void add_load(const Load<dim>& load, const std::function<double(const Phase<dim>&)>& factor_in,
+                std::vector<TermFactory<dim>>& terms);
   BlockSelection selection(bool deformation, bool mesh_motion) const;
 
   std::shared_ptr<const Assembly<dim>> assembly_;
