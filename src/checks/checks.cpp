@@ -71,7 +71,8 @@ std::vector<std::string> doubts(const Examination& facts) {
   if (facts.drag && facts.drag->drag > dragged * facts.drag->stroke)
     found.push_back(fmt::format(
         "friction drags the contact by {:.3g} mm of a stroke of {:.3g} mm: for that "
-        "part it sticks, and as much of the wear, {:.0f} %, is too much",
+        "part it sticks, and as much of the wear, {:.0f} %, is too much; friction.stick = true, or "
+        "stick of a [[pair]], follows it",
         facts.drag->drag, facts.drag->stroke, 100 * facts.drag->drag / facts.drag->stroke));
   if (facts.without_friction > blind)
     found.push_back(
@@ -146,7 +147,7 @@ void require_model(const Examination& facts) {
     throw InputError(fmt::format(
         "friction drags the contact by {:.3g} mm, the stroke is {:.3g} mm: the bodies would stick, "
         "which sliding over the whole contact does not know; expected friction.stick = true, "
-        "stiffer supports, less friction or longer strokes",
+        "or stick of a [[pair]], stiffer supports, less friction or longer strokes",
         facts.drag->drag, facts.drag->stroke));
 }
 

@@ -109,6 +109,7 @@ std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
   const auto stroke = stroke_of(equations.phases(), assembly.cycle->motion.cycle.period);
   if (!stroke) return {};
   ElasticDrag found{.stroke = *stroke};
+  std::array<double, 2> drag = {0, 0};  // of those that carry a multiplier; of pairs of the others
   for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c) {
     Vector<dim> low = Vector<dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
     bool active = false;
@@ -118,12 +119,16 @@ std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
       active = active || node.active;
       const Vector<dim> u =
           values.vector(equations.fields(p).u).row(assembly.contact_nodes[c].node).transpose();
-      const Vector<dim> along = u - node.normal * node.normal.dot(u);
+      Vector<dim> n = node.normal;
+      if (n.isZero(0)) n = assembly.contact_nodes[c].initial_normal.normalized();  // of a master
+      const Vector<dim> along = u - n * n.dot(u);
       low = low.cwiseMin(along);
       high = high.cwiseMax(along);
     }
-    if (active) found.drag = std::max(found.drag, (high - low).norm());
+    double& of = drag[assembly.carries[c] ? 0 : 1];
+    if (active) of = std::max(of, (high - low).norm());
   }
+  found.drag = drag[0] + drag[1];
   return found;
 }
 
@@ -204,7 +209,7 @@ Examination WearModel<dim>::examine(const State& state) const {
     facts.stick_area = cycle_of_slip(assembly(), contacts).stick_area;
   if (assembly().interface.rolling) {
     const PowerOfRolling power =
-        power_of_rolling(assembly(), values.vector(equations_.fields().u), contacts.front().nodes);
+        power_of_rolling(assembly(), equations_.moved_on_partner(values), contacts.front().nodes);
     const double sliding =
         assembly().copies * assembly().scales.force * assembly().interface.rolling->velocity.norm();
     constexpr double rounding = 1e-9;

@@ -17,7 +17,9 @@ void append(std::vector<double>& to, const Vector<dim>& value) {
 template <int dim>
 void add_friction(const std::vector<ContactNode<dim>>& nodes, ContactSurface& surface) {
   for (const ContactNode<dim>& node : nodes) {
-    append<dim>(surface.phase_traction, node.traction * node.normal - node.force / node.area);
+    Vector<dim> friction = Vector<dim>::Zero();  // of a pair, where nothing covers the node
+    if (node.area > 0) friction = node.traction * node.normal - node.force / node.area;
+    append<dim>(surface.phase_traction, friction);
     append<dim>(surface.phase_slip, node.slip);
   }
 }

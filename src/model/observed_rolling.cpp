@@ -9,18 +9,21 @@ namespace gnomon {
 /// Material brings and takes as much elastic energy, so that contact forces have no power on it as
 /// it strains; so it is with differences by the nodes on both sides, not with those upwind.
 template <int dim>
-PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<dim>& u,
+PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
                                 const std::vector<ContactNode<dim>>& nodes) {
   PowerOfRolling power;
   const double speed = assembly.interface.rolling->velocity.norm();
   double force = 0, rubbing = 0;
-  for (const ContactNode<dim>& node : nodes) force -= node.area * node.traction;
+  for (std::size_t c = 0; c < nodes.size(); ++c)
+    if (assembly.carries[c]) force -= nodes[c].area * nodes[c].traction;
   for (const Upstream& at : upstream_of(assembly)) {
-    const ContactNode<dim>& node = nodes[static_cast<std::size_t>(assembly.contact_node(at.node))];
+    const auto c = static_cast<std::size_t>(assembly.contact_node(at.node));
+    if (!assembly.carries[c]) continue;
+    const ContactNode<dim>& node = nodes[c];
     const Vector<dim> friction = node.force - node.area * node.traction * node.normal;
     power.dissipated += assembly.copies * speed / at.distance * friction.dot(node.slip);
     for (const auto& [of, factor] : at.upwind)
-      power.upwind += assembly.copies * speed * factor * friction.dot(u.row(of).transpose());
+      power.upwind += assembly.copies * speed * factor * friction.dot(moved.row(of).transpose());
     rubbing -= node.area * node.traction;
     if (node.active && node.sticks) power.stick_area += assembly.copies * node.area;
   }
@@ -29,7 +32,7 @@ PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<
 }
 
 template <int dim>
-void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& u,
+void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
                      const std::vector<ContactNode<dim>>& nodes, const PartnerMotion<>& q,
                      int units, Observation& observed) {
   Vector<dim> creepage = assembly.interface.rolling->creepage;
@@ -39,7 +42,7 @@ void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& u,
       creepage += q[static_cast<Eigen::Index>(k)] / guides[k].creep * guides[k].along;
   for (int i = 0; i < dim; ++i)
     observed.push_back({fmt::format("creepage_{}", "xyz"[i]), "", creepage[i]});
-  const PowerOfRolling power = power_of_rolling(assembly, u, nodes);
+  const PowerOfRolling power = power_of_rolling(assembly, moved, nodes);
   observed.push_back(common("friction_power", power.dissipated, units));
   observed.push_back(common("stick_area", power.stick_area, units));
 }

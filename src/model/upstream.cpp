@@ -26,12 +26,10 @@ void compare_with_central(int next, double h, double H, Upstream& at) {
 template <int dim>
 std::vector<Upstream> upstream_of(const AssemblyParts<dim>& parts) {
   std::vector<Upstream> result;
-  const Vector<dim>& velocity = parts.interface.rolling->velocity;
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.track) continue;
     SurfaceLines lines = lines_of_surface(parts.mesh, surface.facets, surface.track->along);
     for (std::vector<int>& line : lines.nodes) {
-      if (surface.track->along.along.dot(velocity) < 0) std::ranges::reverse(line);
       const auto distance = [&](std::size_t a, std::size_t b) {
         return (parts.mesh.nodes[static_cast<std::size_t>(line[b])] -
                 parts.mesh.nodes[static_cast<std::size_t>(line[a])])

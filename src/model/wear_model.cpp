@@ -313,7 +313,7 @@ Observation WearModel<dim>::observe(const State& state) const {
     observed.push_back(common("stick_area", slip.stick_area, units));
   }
   if (assembly().interface.rolling)
-    observe_rolling(assembly(), values.vector(equations_.fields().u), phases.front().nodes,
+    observe_rolling(assembly(), equations_.moved_on_partner(values), phases.front().nodes,
                     equations_.partner_motion(values, state.t), units, observed);
   // Of a part of a symmetric body, what is across the symmetry is not known.
   if (!equations_.phases().front().counter_body.guides.empty() && assembly().copies == 1)

@@ -73,6 +73,28 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
   return state;
 }
 
+/// Of lambda_T in rolling, of a stiffness of contact: Newton's method may cycle from a cold start
+/// at 1, and turn the slip of nodes in space too slowly far below.
+constexpr double softness_of_rolling = 0.1;
+
+/// The smallest modulus of the bodies.
+template <int dim>
+double softest(const Assembly<dim>& assembly) {
+  double young = std::numeric_limits<double>::infinity();
+  for (const Body& body : assembly.bodies) young = std::min(young, body.material.young_modulus);
+  return young;
+}
+
+/// Ascending, each once.
+template <class Facets>
+std::vector<int> nodes_of(const Facets& facets) {
+  std::vector<int> nodes;
+  for (const auto& facet : facets) nodes.insert(nodes.end(), facet.begin(), facet.end());
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
 }  // namespace
 
 template <int dim>
@@ -125,6 +147,17 @@ std::vector<MortarCandidates> WornBodyEquations<dim>::candidates_in(const Phase<
 }
 
 template <int dim>
+NodalField<dim> WornBodyEquations<dim>::moved_on_partner(const FieldValues<dim>& values) const {
+  const NodalField<dim>& u = values.vector(fields().u);
+  if (assembly_->pairs.empty()) return u;
+  NodalField<dim> moved = NodalField<dim>::Zero(u.rows(), dim);
+  for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
+    moved.row(assembly_->contact_nodes[c].node) =
+        values.vector(fields().place).row(static_cast<Eigen::Index>(c));
+  return moved;
+}
+
+template <int dim>
 NodalField<dim> WornBodyEquations<dim>::carried(const Phase<dim>& phase) const {
   NodalField<dim> result(static_cast<Eigen::Index>(assembly_->contact_nodes.size()), dim);
   for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
@@ -162,29 +195,56 @@ StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nomina
 }
 
 template <int dim>
-MortarPath WornBodyEquations<dim>::mortar_path(std::size_t p) const {
+MortarPath<dim> WornBodyEquations<dim>::mortar_path(std::size_t p) const {
   const WornBodyFields& fields = fields_[p];
   const double period = assembly_->cycle->motion.cycle.period;
-  return {.traction = fields.traction,
-          .place = fields.place,
-          .before = p == 0 ? fields.memory : fields_[p - 1].place,
-          .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
-          .memory = fields.memory,
-          .is_last = p + 1 == phases_.size(),
-          .interval = phases_[p].interval * period,
-          .share = phases_[p].interval / phases_[p].weight,
-          .period = period};
+  const std::size_t count = assembly_->contact_nodes.size();
+  MortarPath<dim> path{.traction = fields.traction,
+                       .place = fields.place,
+                       .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
+                       .memory = fields.memory,
+                       .is_last = p + 1 == phases_.size(),
+                       .rho = assembly_->interface.rho,
+                       .interval = std::vector<double>(count, phases_[p].interval * period),
+                       .share = phases_[p].interval / phases_[p].weight,
+                       .period = period};
+  for (std::size_t c = 0; c < count; ++c)
+    path.before.push_back({{p == 0 ? fields.memory : fields_[p - 1].place, Eigen::Index(c)}});
+  return path;
+}
+
+/// As rolling_state(), of pairs: the places on the partner's material in the place of
+/// displacements.
+template <int dim>
+MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
+  const std::size_t count = assembly_->contact_nodes.size();
+  MortarPath<dim> path{.traction = fields().traction,
+                       .place = fields().place,
+                       .before = std::vector<std::vector<PartOfPlace>>(count),
+                       .passed = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
+                       .lambda_before = fields().lambda,
+                       .rho = 0,
+                       .interval = std::vector<double>(count, 1)};
+  for (const MortarPair<dim>& pair : assembly_->pairs) {
+    const std::vector<int> slaves = nodes_of(pair.slave);
+    for (const Upstream& at : upstream_of(*assembly_)) {
+      if (!std::ranges::binary_search(slaves, at.node)) continue;
+      const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
+      for (const auto& [node, factor] : at.from)
+        path.before[c].push_back({fields().place, assembly_->contact_node(node), factor});
+      path.interval[c] = at.distance / pair.velocities[0].norm();
+      path.passed.row(static_cast<Eigen::Index>(c)) =
+          path.interval[c] * (pair.velocities[0] - pair.velocities[1]).transpose();
+      path.rho = std::max(path.rho, softness_of_rolling * softest(*assembly_) / at.distance);
+    }
+  }
+  return path;
 }
 
 /// The place before is where the material upstream is, by differences of second order.
 template <int dim>
 StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) const {
   const Rolling<dim>& rolling = *assembly_->interface.rolling;
-  // Of a stiffness of contact: Newton's method may cycle from a cold start at 1, and turn the slip
-  // of nodes in space too slowly far below.
-  constexpr double softness = 0.1;
-  double young = std::numeric_limits<double>::infinity();
-  for (const Body& body : assembly_->bodies) young = std::min(young, body.material.young_modulus);
   const CounterBody<dim>& partner = assembly_->interface.partner;
   const std::size_t count = assembly_->contact_nodes.size();
   StickState<dim> state{
@@ -211,7 +271,7 @@ StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) cons
       streamed.setZero();
     state.carried.row(static_cast<Eigen::Index>(c)) =
         -(streamed + at.distance * rolling.creepage_at(X)).transpose();
-    state.rho = std::max(state.rho, softness * young / at.distance);
+    state.rho = std::max(state.rho, softness_of_rolling * softest(*assembly_) / at.distance);
   }
   return state;
 }
@@ -225,6 +285,7 @@ TermFactory<dim> WornBodyEquations<dim>::contact_of(std::size_t p, double speed)
     MortarState<dim> state =
         mortar_state(of, phases_[p], fields_[p], speed, candidates_in(phases_[p]));
     if (of.interface.sticks) state.path = mortar_path(p);
+    if (of.interface.rolling) state.path = mortar_rolling();
     return [state](const Numbering& n) { return std::make_unique<MortarTerm<dim>>(state, n); };
   }
   if (of.interface.sticks || of.interface.rolling)

@@ -91,7 +91,8 @@ template <int dim>
 double slip_scale(const Assembly<dim>& body, const std::vector<Phase<dim>>& phases,
                   const Scales& scales) {
   double range = 0;
-  for (const ContactPatch<dim>& patch : body.contact_nodes) {
+  for (std::size_t c = 0; body.cycle && c < body.contact_nodes.size(); ++c) {
+    const ContactPatch<dim>& patch = body.contact_nodes[c];
     const auto carried = [&](const Phase<dim>& phase) {
       return carried_by(body.cycle->motion, body.interface.partner, phase, patch.initial_position);
     };
@@ -152,8 +153,12 @@ FieldSet WornBodyEquations<dim>::make_fields() {
         creeps ? set.add(of_phase({"creepage", "xi", "counter-body", Role::rigid}, p)) : -1;
     fields_[p].w = set.add(rigid_motion_field(*assembly_, phases_[p], scales, rigid, creepage));
   }
-  if (assembly_->interface.sticks || assembly_->interface.rolling) add_friction(scales, set);
-  if (assembly_->interface.sticks) add_memory(scales, set);
+  if (assembly_->interface.sticks || assembly_->interface.rolling) {
+    const double slip = slip_scale(*assembly_, phases_, scales);
+    add_friction(scales, set);
+    if (assembly_->interface.sticks) add_memory(slip, scales, set);
+    if (!assembly_->pairs.empty()) add_places(slip, set);
+  }
   if (assembly_->shape.constraint == ConstraintForm::multiplier) {
     const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});
     const FieldId mu = set.add(shape_multiplier_field<dim>(
@@ -183,10 +188,9 @@ void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
   }
 }
 
-/// s of a path and, of pairs, r of each phase.
+/// s of a path.
 template <int dim>
-void WornBodyEquations<dim>::add_memory(const Scales& scales, FieldSet& set) {
-  const double slip = slip_scale(*assembly_, phases_, scales);
+void WornBodyEquations<dim>::add_memory(double slip, const Scales& scales, FieldSet& set) {
   const int block = set.add({.name = "slip_memory",
                              .symbol = "s",
                              .where = "contact nodes (differential)",
@@ -198,7 +202,12 @@ void WornBodyEquations<dim>::add_memory(const Scales& scales, FieldSet& set) {
   memory.unknown_scale.setConstant(slip);
   const FieldId s = set.add(std::move(memory));
   for (WornBodyFields& fields : fields_) fields.memory = s;
-  for (std::size_t p = 0; !assembly_->pairs.empty() && p < phases_.size(); ++p) {
+}
+
+/// r of each phase, of pairs.
+template <int dim>
+void WornBodyEquations<dim>::add_places(double slip, FieldSet& set) {
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
     const int places = set.add({.name = "place_on_partner",
                                 .symbol = "r",
                                 .where = "contact nodes",

@@ -13,6 +13,7 @@
 #include "part/facing_facets.hpp"
 #include "part/pair_cycle.hpp"
 #include "part/pairs.hpp"
+#include "part/rolling_scene.hpp"
 #include "part/surfaces.hpp"
 
 namespace gnomon::part {
@@ -84,6 +85,25 @@ std::string choose_covered(const AssemblyParts<dim>& parts, MortarPair<dim>& pai
   return "it is the smaller surface, which stays covered";
 }
 
+/// Of bodies that roll, material comes to the nodes of the slave along the lines of its track.
+template <int dim>
+void choose_track(const Scene& scene, const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
+  std::set<typename Mesh<dim>::Facet> on_tracks;  // by sorted nodes
+  for (const Surface<dim>& surface : parts.interface.surfaces)
+    for (const auto& facet : surface.facets)
+      if (surface.track) on_tracks.insert(sorted(facet));
+  const auto has = [&](const auto& facets) {
+    return std::ranges::any_of(
+        facets, [&](const auto& facet) { return on_tracks.contains(sorted(facet)); });
+  };
+  if (!has(pair.slave)) reverse(pair);
+  if (!has(pair.slave))
+    throw InputError(
+        fmt::format("{}: [[pair]]: expected a surface of \"{}\" or \"{}\" in wear.on "
+                    "with a path, along which its material rolls",
+                    scene.path().string(), pair.bodies[0], pair.bodies[1]));
+}
+
 /// Where two surfaces that wear meet at an edge, a node has one normal and one pressure for both.
 template <int dim>
 void tell_of_edges(AssemblyParts<dim>& parts) {
@@ -140,6 +160,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
           scene.path().string(), pair.bodies[0], pair.bodies[1], gap, closed / 3));
     std::string reason = parts.interface.sticks ? choose_covered(parts, pair) : "";
     if (reason.empty()) reason = choose_slave<dim>(nearest, parts.section(), parts.bodies, pair);
+    if (parts.interface.rolling) choose_track(scene, parts, pair);
     // Surfaces of several pairs go on to where the other one begins: each has what is near.
     const bool alone = parts.pairs.size() == 1;
     join_beside<dim>(nearest, pair,
@@ -150,6 +171,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
                     pair.bodies[0], pair.bodies[1], pair.slave.size(), reason));
   }
   tell_slaves_apart(scene, parts.pairs);
+  if (parts.interface.rolling) parts.interface.rolling = rolling_of(parts.pairs.front());
   parts.interface.partner.approach = parts.pairs.front().approach;
   std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);
   for (Surface<dim>& surface : surfaces)

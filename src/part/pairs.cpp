@@ -20,6 +20,7 @@
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 #include "part/pair_cycle.hpp"
+#include "part/rolling_scene.hpp"
 #include "part/surfaces.hpp"
 
 namespace gnomon::part {
@@ -208,6 +209,13 @@ void require_moving_pairs(const Scene& scene) {
   }
 }
 
+template <int dim>
+Vector<dim> velocity_of(const std::map<std::string, BodyCycle<dim>>& motions,
+                        const std::string& body) {
+  const auto found = motions.find(body);
+  return found == motions.end() ? Vector<dim>(Vector<dim>::Zero()) : found->second.motion.velocity;
+}
+
 /// That of the second body relative to the first; bodies without a motion are at rest.
 template <int dim>
 RigidMotion<dim> difference_of(const std::map<std::string, BodyCycle<dim>>& motions,
@@ -273,14 +281,15 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
     require_separate(scene, table, parts, bodies);
     const std::array<std::string, 2> names = {parts.bodies[bodies[0]].name,
                                               parts.bodies[bodies[1]].name};
-    MortarPair<dim> pair{.slave = boundary_of(scene, table, part, body_of, wearing, bodies[0]),
-                         .master = boundary_of(scene, table, part, body_of, wearing, bodies[1]),
-                         .motion = difference_of<dim>(motions, names),
-                         .friction = scene.given(table + ".friction")
-                                         ? scene.real(table + ".friction")
-                                         : scene.real("friction.coefficient"),
-                         .bodies = names,
-                         .numbers = bodies};
+    MortarPair<dim> pair{
+        .slave = boundary_of(scene, table, part, body_of, wearing, bodies[0]),
+        .master = boundary_of(scene, table, part, body_of, wearing, bodies[1]),
+        .motion = difference_of<dim>(motions, names),
+        .friction = scene.given(table + ".friction") ? scene.real(table + ".friction")
+                                                     : scene.real("friction.coefficient"),
+        .bodies = names,
+        .numbers = bodies,
+        .velocities = {velocity_of(motions, names[0]), velocity_of(motions, names[1])}};
     pair.reach =
         (Box<dim>::around(parts.mesh.nodes).high - Box<dim>::around(parts.mesh.nodes).low).norm();
     pair.boundary = {pair.slave, pair.master};
@@ -306,10 +315,11 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   parts.interface.surfaces = surfaces_of(scene, part, parts.pairs);
   parts.interface.speed = scene.real_if("wear.velocity");
   read_phases_of_pairs(scene, parts);
+  if (parts.interface.sticks && !parts.cycle) let_roll(scene, parts);
   double speed = 0;
   for (const MortarPair<dim>& pair : parts.pairs) {
     const double own = speed_of(pair, parts);
-    if (!parts.interface.sticks)
+    if (!parts.interface.sticks && !parts.interface.rolling)
       for (std::string& remark : remarks_on_sliding(pair, own))
         parts.remarks.push_back(std::move(remark));
     speed = std::max(speed, own);

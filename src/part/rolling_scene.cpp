@@ -42,16 +42,21 @@ Vector<dim> read_along(const Scene& scene, const std::string& key, const Vector<
   return v;
 }
 
-/// Throws where the scene has what steady rolling does not go with.
+/// Throws where the bodies have what steady rolling does not go with.
+void require_steady_bodies(const Scene& scene) {
+  if (scene.text("model.plane") == "axisymmetric")
+    refuse(scene, "model.plane", "\"strain\" where bodies roll");
+  if (scene.text("shape.constraint") != "eliminated")
+    refuse(scene, "shape.constraint", "\"eliminated\" where bodies roll");
+}
+
+/// The same of a scene with [rolling].
 void require_steady_state(const Scene& scene) {
   if (scene.is_set("friction.stick") && !scene.flag("friction.stick"))
     refuse(scene, "friction.stick", "true or none beside [rolling], where friction may stick");
-  if (scene.text("model.plane") == "axisymmetric")
-    refuse(scene, "model.plane", "\"strain\" beside [rolling]");
   if (!(scene.real("friction.coefficient") > 0))
     refuse(scene, "friction.coefficient", "a coefficient above zero beside [rolling]");
-  if (scene.text("shape.constraint") != "eliminated")
-    refuse(scene, "shape.constraint", "\"eliminated\" beside [rolling]");
+  require_steady_bodies(scene);
 }
 
 }  // namespace
@@ -127,6 +132,32 @@ double half_width_of(const Scales& scales) {
 }  // namespace
 
 template <int dim>
+Rolling<dim> rolling_of(const MortarPair<dim>& pair) {
+  const Vector<dim>& V = pair.velocities[0];
+  return {.velocity = V, .creepage = (V - pair.velocities[1]) / V.norm()};
+}
+
+template <int dim>
+void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
+  for (const MortarPair<dim>& pair : parts.pairs) {
+    for (const Vector<dim>& V : pair.velocities)
+      if (!(V.norm() > 0))
+        throw InputError(fmt::format(
+            "{}: [[pair]]: expected also [cycle] beside stick, or a [[motion]] of both \"{}\" and "
+            "\"{}\", by whose velocities they roll on each other",
+            scene.path().string(), pair.bodies[0], pair.bodies[1]));
+    if (pair.motion.moves() && !pair.motion.spin.isZero(0))
+      throw InputError(scene.path().string() +
+                       ": [[motion]]: expected a velocity, and no rotation, of bodies that roll");
+    if (!(pair.friction > 0))
+      refuse(scene, "friction.coefficient", "a coefficient above zero where bodies roll");
+  }
+  require_steady_bodies(scene);
+  parts.interface.sticks = false;
+  parts.interface.rolling = rolling_of(parts.pairs.front());
+}
+
+template <int dim>
 double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
   const Rolling<dim>& rolling = *parts.interface.rolling;
   const double half = half_width_of<dim>(expected.scales),
@@ -145,6 +176,10 @@ template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&,
                                                 const CounterBody<2>&);
 template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&,
                                                 const CounterBody<3>&);
+template Rolling<2> rolling_of(const MortarPair<2>&);
+template Rolling<3> rolling_of(const MortarPair<3>&);
+template void let_roll(const Scene&, AssemblyParts<2>&);
+template void let_roll(const Scene&, AssemblyParts<3>&);
 template void let_creep(const Scene&, const Vector<2>&, CounterBody<2>&);
 template void let_creep(const Scene&, const Vector<3>&, CounterBody<3>&);
 template double speed_of_rolling(const AssemblyParts<2>&, const Magnitudes&);

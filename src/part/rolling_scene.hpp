@@ -34,4 +34,13 @@ double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expec
 template <int dim>
 void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts);
 
+/// Of the slave's material on the master.
+template <int dim>
+Rolling<dim> rolling_of(const MortarPair<dim>& pair);
+
+/// Makes pairs that may stick, without a cycle, roll by the velocities of their bodies. Throws
+/// InputError where these do not roll.
+template <int dim>
+void let_roll(const Scene& scene, AssemblyParts<dim>& parts);
+
 }  // namespace gnomon::part

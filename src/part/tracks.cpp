@@ -106,8 +106,10 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
                                      const AssemblyParts<dim>& parts) {
   const std::string key = path_key(surface.name);
   const auto& rolling = parts.interface.rolling;
+  const bool on_rigid = rolling && parts.pairs.empty();
   if (!scene.given(key) && rolling)
-    throw InputError(scene.where("rolling.velocity") + ": expected also " + key +
+    throw InputError((on_rigid ? scene.where("rolling.velocity") : scene.path().string()) +
+                     ": expected also " + key +
                      ", the length that passes the contact in a turn: what rolls wears alike all "
                      "along it");
   if (!scene.given(key)) return {};
@@ -124,7 +126,7 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
     throw unfit_track(scene, surface.name, "expected none beside a cycle: a steady motion");
   if (parts.shape.constraint == ConstraintForm::multiplier)
     throw unfit_track(scene, surface.name, "expected shape.constraint = \"eliminated\"");
-  if (rolling) return Track<dim>{{rolling->velocity.normalized()}, scene.real(key)};
+  if (on_rigid) return Track<dim>{{rolling->velocity.normalized()}, scene.real(key)};
   const std::string& body = body_of_track(scene, surface, parts).name;
   const auto motions = read_motions_of_bodies<dim>(scene, parts.section());
   const auto motion = motions.find(body);

@@ -12,15 +12,36 @@ FacetNodal<dim> MortarTerm<dim>::labels_of(const Evaluation<dim>& at, int pair, 
 }
 
 template <int dim>
+Vector<dim> MortarTerm<dim>::before(const Evaluation<dim>& at, int contact_node) const {
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const PartOfPlace& part : state_.path->before[contact_node])
+    sum += part.factor * at.values.vector(part.field).row(part.row).transpose();
+  if (state_.path->passed.size() > 0) sum -= state_.path->passed.row(contact_node).transpose();
+  return sum;
+}
+
+template <int dim>
+Eigen::MatrixXd MortarTerm<dim>::by_parts(int contact_node, const Eigen::MatrixXd& by_own) const {
+  const auto& parts = state_.path->before[contact_node];
+  Eigen::MatrixXd result =
+      Eigen::MatrixXd::Zero(by_own.rows(), before_0 + dim * static_cast<Eigen::Index>(most_parts_));
+  result.leftCols(before_0) = by_own.leftCols(before_0);
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    result.middleCols(before_0 + dim * static_cast<Eigen::Index>(k), dim) =
+        parts[k].factor * by_own.rightCols(dim);
+  return result;
+}
+
+template <int dim>
 StickingInput<dim> MortarTerm<dim>::sticking_input(const Evaluation<dim>& at, const Side& side,
                                                    const Vector<dim>& normal) const {
-  const MortarPath& path = *state_.path;
+  const MortarPath<dim>& path = *state_.path;
   const auto& places = places_[side.pair];
   return {.lambda = at.values.scalar(state_.lambda)[side.node],
           .traction = at.values.vector(path.traction).row(side.node).transpose(),
           .place = at.values.vector(path.place).row(side.node).transpose(),
           .lambda_before = at.values.scalar(path.lambda_before)[side.node],
-          .before = at.values.vector(path.before).row(side.node).transpose(),
+          .before = before(at, side.node),
           .normal = normal,
           .turn = {places.of[0].turn, places.of[1].turn}};
 }
@@ -35,7 +56,9 @@ std::optional<Vector<dim>> MortarTerm<dim>::place_on_partner(const Side& side,
 template <int dim>
 NodalField<dim> MortarTerm<dim>::places(const Evaluation<dim>& at) const {
   const Surfaces result = surfaces(at);
-  NodalField<dim> places = at.values.vector(state_.path->before);
+  NodalField<dim> places(static_cast<Eigen::Index>(state_.patches.size()), dim);
+  for (Eigen::Index c = 0; c < places.rows(); ++c)
+    places.row(c) = before(at, static_cast<int>(c)).transpose();
   for (std::size_t s = 0; s < sides_.size(); ++s)
     if (const auto place = place_on_partner(sides_[s], result.sides[s]); sides_[s].slave && place)
       places.row(sides_[s].node) = place->transpose();
@@ -53,7 +76,9 @@ void MortarTerm<dim>::declare_path(const Side& side, PatternBuilder& pattern) co
   pattern.add(tractions, own);
   pattern.add(tractions, numbers_of(patch(side).nodes, false));
   for (int i = 0; i < dim; ++i) {
-    pattern.add({places[i]}, {places[i], before_number(side, i)});
+    pattern.add({places[i]}, {places[i]});
+    for (std::size_t k = 0; k < most_parts_; ++k)
+      pattern.add({places[i]}, {own[before_0 + dim * k + i]});
     if (!state_.path->is_last) continue;
     const int s = memory_numbers_(side.node, i);
     pattern.add({s}, {s, places[i]});
@@ -63,16 +88,16 @@ void MortarTerm<dim>::declare_path(const Side& side, PatternBuilder& pattern) co
 template <int dim>
 void MortarTerm<dim>::add_path_residual(const Evaluation<dim>& at, const Side& side,
                                         const SideState& state, std::span<double> F) const {
-  const MortarPath& path = *state_.path;
+  const MortarPath<dim>& path = *state_.path;
   const StickingInput<dim> input = sticking_input(at, side, state.normal->value);
   const Vector<dim> place = place_on_partner(side, state).value_or(input.before);
-  const Vector<dim> s = at.values.vector(path.memory).row(side.node).transpose();
   for (int i = 0; i < dim; ++i) {
     if (const int row = traction_number(side, i); row >= 0) F[row] += state.sticking->constraint[i];
     if (const int row = place_number(side, i); row >= 0) F[row] += input.place[i] - place[i];
     if (!path.is_last) continue;
+    const double s = at.values.vector(path.memory)(side.node, i);
     if (const int row = memory_numbers_(side.node, i); row >= 0)
-      F[row] += (at.ydot.empty() ? 0 : at.ydot[row]) - (input.place[i] - s[i]) / path.period;
+      F[row] += (at.ydot.empty() ? 0 : at.ydot[row]) - (input.place[i] - s) / path.period;
   }
 }
 
@@ -84,7 +109,7 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
   const StickingTraction<dim>& sticking = *state.sticking;
   std::vector<int> rows;
   for (int i = 0; i < dim; ++i) rows.push_back(traction_number(side, i));
-  add(rows, own, sticking.constraint_by_own, values);
+  add(rows, own, by_parts(side.node, sticking.constraint_by_own), values);
   const auto count = static_cast<Eigen::Index>(of.nodes.size());
   Eigen::MatrixXd by_nodes(dim, 2 * dim * count);
   for (Eigen::Index p = 0; p < count; ++p) {
@@ -101,7 +126,9 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
   for (int i = 0; i < dim; ++i) {
     const int r = place_number(side, i);
     put(r, r, 1);
-    if (!(state.area > 0)) put(r, before_number(side, i), -1);
+    const auto& parts = state_.path->before[side.node];
+    for (std::size_t k = 0; !(state.area > 0) && k < parts.size(); ++k)
+      put(r, own[before_0 + dim * k + i], -parts[k].factor);
     if (!state_.path->is_last) continue;
     const int s = memory_numbers_(side.node, i);
     put(s, r, -rate);
@@ -112,6 +139,8 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
 template FacetNodal<2> MortarTerm<2>::labels_of(const Evaluation<2>&, int, int) const;
 template StickingInput<2> MortarTerm<2>::sticking_input(const Evaluation<2>&, const Side&,
                                                         const Vector<2>&) const;
+template Vector<2> MortarTerm<2>::before(const Evaluation<2>&, int) const;
+template Eigen::MatrixXd MortarTerm<2>::by_parts(int, const Eigen::MatrixXd&) const;
 template NodalField<2> MortarTerm<2>::places(const Evaluation<2>&) const;
 template void MortarTerm<2>::declare_path(const Side&, PatternBuilder&) const;
 template void MortarTerm<2>::add_path_residual(const Evaluation<2>&, const Side&, const SideState&,
@@ -121,6 +150,8 @@ template void MortarTerm<2>::add_path(const Side&, const SideState&, double,
 template FacetNodal<3> MortarTerm<3>::labels_of(const Evaluation<3>&, int, int) const;
 template StickingInput<3> MortarTerm<3>::sticking_input(const Evaluation<3>&, const Side&,
                                                         const Vector<3>&) const;
+template Vector<3> MortarTerm<3>::before(const Evaluation<3>&, int) const;
+template Eigen::MatrixXd MortarTerm<3>::by_parts(int, const Eigen::MatrixXd&) const;
 template NodalField<3> MortarTerm<3>::places(const Evaluation<3>&) const;
 template void MortarTerm<3>::declare_path(const Side&, PatternBuilder&) const;
 template void MortarTerm<3>::add_path_residual(const Evaluation<3>&, const Side&, const SideState&,

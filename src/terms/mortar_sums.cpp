@@ -78,9 +78,13 @@ void MortarTerm<dim>::find_traction(const Evaluation<dim>& at, const Side& side,
     const std::optional<bool> given =
         at.branch.empty() ? std::nullopt : std::optional(at.branch[side.first_switch + 1] != 0);
     state.sticking.emplace(
-        StickingParameters{pair(side).friction, state_.rho, state_.path->interval},
+        StickingParameters{pair(side).friction, state_.path->rho, state_.path->interval[side.node],
+                           !state_.path->before[side.node].empty()},
         sticking_input(at, side, state.normal->value), holds_gap(state), given);
     state.traction = state.sticking->traction;
+    for (Eigen::RowVectorXd* by : {&state.traction.pressure_by_own, &state.traction.speed_by_own})
+      *by = by_parts(side.node, *by);
+    state.traction.by_own = by_parts(side.node, state.traction.by_own);
   } else if (state.active) {
     const Vector<dim> x = current(at, patch(side).node, place(side));
     state.traction = {SlidingTraction<dim>(patch(side), state.normal->value, x,

@@ -15,11 +15,13 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
       d_numbers_(numbering.nodal<dim>(state.d)),
       shape_is_unknown_(d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0),
       contact_of_(state.mesh.nodes.size(), -1) {
+  if (state.path)
+    for (const auto& parts : state.path->before) most_parts_ = std::max(most_parts_, parts.size());
   for (int c = 0; c < static_cast<int>(state.patches.size()); ++c) {
     contact_of_[static_cast<std::size_t>(state.patches[c].node)] = c;
     own_numbers_.push_back({numbering.number(state.lambda, c)});
     if (!state.path) continue;
-    const MortarPath& path = *state.path;
+    const MortarPath<dim>& path = *state.path;
     const auto add = [&](FieldId field, int components) {
       for (int i = 0; i < components; ++i)
         own_numbers_.back().push_back(numbering.number(field, c, i));
@@ -27,7 +29,12 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
     add(path.traction, dim);
     add(path.place, dim);
     add(path.lambda_before, 1);
-    add(path.before, dim);
+    for (std::size_t k = 0; k < most_parts_; ++k)
+      for (int i = 0; i < dim; ++i) {
+        const auto& parts = path.before[c];
+        own_numbers_.back().push_back(
+            k < parts.size() ? numbering.number(parts[k].field, parts[k].row, i) : -1);
+      }
   }
   if (state.path && state.path->is_last) memory_numbers_ = numbering.nodal<dim>(state.path->memory);
   for (const MortarPair<dim>& pair : state.pairs) places_.emplace_back(pair, state.places);

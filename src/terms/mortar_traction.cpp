@@ -57,7 +57,7 @@ StickingTraction<dim>::StickingTraction(const StickingParameters& parameters,
                             along = moved - n * n.dot(moved);
   const StickFriction<dim, Scalar> friction(
       lambda_T, along, n, closed ? Scalar(Scalar(-parameters.friction) * lambda) : Scalar(0),
-      parameters.rho, closed, given);
+      parameters.rho, closed && parameters.rubs, given);
   const Vector<dim, Scalar> back =
       at.turn[0].transpose().template cast<Scalar>() * friction.constraint;
   const Scalar square = along.squaredNorm();

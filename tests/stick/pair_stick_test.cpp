@@ -293,6 +293,101 @@ TEST_F(PairFretting, JacobianEqualsFiniteDifferences) {
   check_jacobian(model->system(), 0, y, 0.2, &branch, 3e-5);
 }
 
+/// A cap that rolls on a block, whose material passes at 1000 mm/s.
+std::string rolling_cap(double velocity_of_cap) {
+  return fmt::format(R"(problem = "worn_body"
+mesh.file = "rail.geo"
+body = [ {{ name = "cap", young_modulus = 2e5, poisson_ratio = 0.3, material = "linear" }},
+         {{ name = "flat", young_modulus = 2e5, poisson_ratio = 0.3, material = "linear" }} ]
+pair = [ {{ bodies = ["cap", "flat"], friction = 0.3, stick = true }} ]
+motion = [ {{ body = "cap", velocity = [{}, 0.0] }}, {{ body = "flat", velocity = [1000.0, 0.0] }} ]
+support = [ {{ on = "bottom" }}, {{ on = "ends", directions = ["x"] }},
+            {{ on = "sides", directions = ["x"] }} ]
+load = [ {{ on = "top", force = [0.0, -18.5] }} ]
+integrator = {{ name = "esdirk-3", rtol = 1e-3 }}
+time.end = 1000
+[wear]
+on = ["face"]
+coefficient = 1e-9
+[wear.surfaces.face]
+path = 100.0
+)",
+                     velocity_of_cap);
+}
+
+class PairRolling : public PairFretting {
+protected:
+  void SetUp() override {
+    PairFretting::SetUp();
+    if (IsSkipped()) return;
+    folder_.write("rail.geo", rail(two_half_planes(16, 14, 1.32)));
+    folder_.write("coarse_rail.geo", rail(two_half_planes(6, 5, 2.2, 0.12)));
+  }
+  /// With a surface from end to end of the block.
+  static std::string rail(std::string bodies) {
+    const std::string face = "Physical Curve(\"face\") = {4};", round = "Physical Curve(\"round\")";
+    bodies.replace(bodies.find(face), face.size(),
+                   "Physical Curve(\"face\") = {4, 5, 8}; Physical Curve(\"ends\") = {9, 11};");
+    bodies.erase(bodies.find(round), round.size() + 8);
+    return bodies;
+  }
+};
+
+/// Similar bodies: stick of half width b = a - creepage R / f at the leading edge (F. W. Carter).
+TEST_F(PairRolling, SimilarBodiesCreepAsCarters) {
+  constexpr double f = 0.3, creepage = 5e-4, V = 1000;
+  const auto model = this->model(rolling_cap(V * (1 + creepage)), {});
+  Counters counters;
+  const State start = model->start(counters);
+  const double a = Mindlin::a(), b = a - creepage * Mindlin::R / f;
+  const double Q = f * Mindlin::P * (1 - b * b / (a * a));
+  const double power = observed(*model, start, "friction_power");
+  EXPECT_NEAR(observed(*model, start, "stick_area") / (2 * b), 1, 0.05);
+  EXPECT_NEAR(power / (creepage * Q * V), 1, 0.1);  // a tenth of a: -9 %, a 24th: -4.6 %
+  EXPECT_NEAR(observed(*model, start, "wear_flux") / (1e-9 * power / f), 1, 1e-6);
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1000);
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / (1e-9 * power / f * 1000), 1, 1e-3);
+}
+
+/// Without creepage similar bodies exert no friction on each other.
+TEST_F(PairRolling, SimilarBodiesRollFreely) {
+  const auto model = this->model(rolling_cap(1000), {});
+  Counters counters;
+  const State start = model->start(counters);
+  const ContactSurface surface = model->contact(start).value();
+  // Most at the node that enters: a gap on a slope counts as a shift until it is closed.
+  for (std::size_t c = 0; c < surface.node.size(); ++c)
+    EXPECT_NEAR(surface.phase_traction[2 * c], 0, 0.07 * 0.3 * Mindlin::p0());
+  EXPECT_LT(observed(*model, start, "friction_power"), 1e-3 * 0.3 * Mindlin::P * 0.5);
+}
+
+TEST_F(PairRolling, FarBeyondStickItSlides) {
+  const auto model = this->model(rolling_cap(1020), {});
+  Counters counters;
+  EXPECT_NEAR(observed(*model, model->start(counters), "friction_power") / (0.3 * Mindlin::P * 20),
+              1, 0.02);
+}
+
+TEST_F(PairRolling, JacobianEqualsFiniteDifferences) {
+  const auto model = this->model(rolling_cap(1000.5), {"mesh.file=coarse_rail.geo"});
+  Counters counters;
+  std::vector<double> y = model->start(counters).y;
+  const Structure& structure = model->system().structure();
+  for (std::size_t i = 0; i < y.size(); ++i)
+    y[i] += 0.02 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
+  const ActiveSet branch = active_set(model->system(), 0, y);
+  check_jacobian(model->system(), 0, y, 0.2, &branch, 1e-5);
+}
+
+TEST_F(PairRolling, WhatDoesNotGoTogetherIsRefused) {
+  std::string text = rolling_cap(1000);
+  expect_refused(text, {"shape.constraint=multiplier"}, "where bodies roll");
+  expect_refused(text, {"pair.1.friction=0"}, "a coefficient above zero where bodies roll");
+  expect_refused(text, {"motion.1.velocity=[0.0, 0.0]"}, "by whose velocities they roll");
+  text.erase(text.find("[wear.surfaces.face]"));
+  expect_refused(text, {}, "expected also wear.surfaces.face.path");
+}
+
 /// Two phases, in which both bodies are turned together and the master goes on by `stroke`.
 template <int dim>
 AssemblyParts<dim> on_a_path(const TwoBodies& pair, double stroke, double turning) {

@@ -95,6 +95,9 @@ public:
   /// Where friction may stick: the place of every contact node on the partner, r of stick_node.hpp.
   NodalField<dim> places(const ComposedSystem<dim>& system, const FieldValues<dim>& values,
                          double t, std::size_t phase = 0) const;
+  /// In steady rolling: what the partner is passed by beside rigid motion, displacements, of pairs
+  /// their places on the partner, by node of the mesh [length].
+  NodalField<dim> moved_on_partner(const FieldValues<dim>& values) const;
   /// How far the partner's surface at every contact node is carried by a phase of a path: c of
   /// stick_node.hpp.
   NodalField<dim> carried(const Phase<dim>& phase) const;
@@ -107,9 +110,11 @@ public:
 private:
   FieldSet make_fields();
   void add_friction(const Scales& scales, FieldSet& set);
-  void add_memory(const Scales& scales, FieldSet& set);
+  void add_memory(double slip, const Scales& scales, FieldSet& set);
+  void add_places(double slip, FieldSet& set);
   StickState<dim> stick_state(std::size_t phase, double nominal_speed) const;
-  MortarPath mortar_path(std::size_t phase) const;
+  MortarPath<dim> mortar_path(std::size_t phase) const;
+  MortarPath<dim> mortar_rolling() const;
   StickState<dim> rolling_state(double nominal_speed) const;
   std::vector<MortarCandidates> candidates_in(const Phase<dim>& phase) const;
   TermFactory<dim> contact_of(std::size_t phase, double nominal_speed) const;

@@ -25,6 +25,8 @@ struct MortarPair {
   double reach = 0;                     ///< facets that are farther apart do not meet [length]
   std::array<std::string, 2> bodies{};  ///< names of the slave and of the master
   std::array<int, 2> numbers{};         ///< of them among the bodies
+  /// Steady, of the slave's material and of the master's; read where they roll [length / time].
+  std::array<Vector<dim>, 2> velocities = {Vector<dim>::Zero(), Vector<dim>::Zero()};
   /// By node of the slave: the projector on the directions in which its normal may point, where
   /// supports, as of a symmetry, leave it fewer than all.
   std::map<int, Tensor<dim>> along{};

@@ -23,7 +23,9 @@
 //             r_i - r of the phase before = 0 where nothing covers the node
 //   s         sdot - (r - s) / period = 0, in the last phase
 //
-// p_i is then the mean of this phase and the one before, v_i = |slip| / interval.
+// p_i is then the mean of this phase and the one before, v_i = |slip| / interval. In steady rolling
+// (docs/rolling.md) there is one phase and no memory; the material of the slave was upstream
+// before, and the master's has gone on since, slip = r - sum_k f_k r_k + dt (V^1 - V^2).
 #pragma once
 
 #include <algorithm>
@@ -36,15 +38,22 @@
 
 namespace gnomon {
 
-/// What friction that may stick adds to a phase of a path. Fields are those at the contact nodes.
+/// What friction that may stick adds to a phase of a path, or in steady rolling. Fields are those
+/// at the contact nodes.
+template <int dim>
 struct MortarPath {
-  FieldId traction = FieldId::none;       ///< lambda_T
-  FieldId place = FieldId::none;          ///< r
-  FieldId before = FieldId::none;         ///< r of the phase before; of the first one s
+  FieldId traction = FieldId::none;  ///< lambda_T
+  FieldId place = FieldId::none;     ///< r
+  /// Of each contact node r before, a sum without `passed`: r of the phase before, of the first one
+  /// s; in rolling r upstream. None: it has no friction.
+  std::vector<std::vector<PartOfPlace>> before{};
+  NodalField<dim>
+      passed{};  ///< in rolling: dt (V^1 - V^2), contact nodes x dim; else empty [length]
   FieldId lambda_before = FieldId::none;  ///< of the phase before, around the cycle
   FieldId memory = FieldId::none;         ///< s
   bool is_last = false;                   ///< of its path: it has the rows of s
-  double interval = 1;                    ///< since the phase before [time]
+  double rho = 1;                         ///< of lambda_T [stress / length]
+  std::vector<double> interval{};         ///< of each contact node, since the place before [time]
   double share = 1;                       ///< StickParameters::share
   double period = 1;                      ///< of the cycle [time]
 };
@@ -64,11 +73,11 @@ struct MortarState {
   std::vector<double> wear_weight{};         ///< of each contact node, in its wear; empty: 1
   NormalRule normal_rule = NormalRule::conservative;
   Section section = Section::plane;
-  double rho = 1;                        ///< [stress / length]
-  std::vector<BodyPlace<dim>> places{};  ///< of the bodies; empty: at rest
-  double part = 1;                       ///< of the mean over a cycle: the weight of its phase
-  double nominal_speed = 0;              ///< at which the bodies slide [length / time]
-  std::optional<MortarPath> path{};      ///< friction may stick
+  double rho = 1;                         ///< [stress / length]
+  std::vector<BodyPlace<dim>> places{};   ///< of the bodies; empty: at rest
+  double part = 1;                        ///< of the mean over a cycle: the weight of its phase
+  double nominal_speed = 0;               ///< at which the bodies slide [length / time]
+  std::optional<MortarPath<dim>> path{};  ///< friction may stick
 };
 
 template <int dim>
@@ -157,6 +166,8 @@ private:
   void declare_path(const Side& side, PatternBuilder& pattern) const;
   StickingInput<dim> sticking_input(const Evaluation<dim>& at, const Side& side,
                                     const Vector<dim>& normal) const;
+  /// r before, of a contact node.
+  Vector<dim> before(const Evaluation<dim>& at, int contact_node) const;
   /// X + d of the nodes of a master facet.
   FacetNodal<dim> labels_of(const Evaluation<dim>& at, int pair, int master) const;
   /// r by where the bodies are, or nothing where no master covers the node.
@@ -193,9 +204,9 @@ private:
   int lambda_number(const Side& side) const { return own_numbers_[side.node].front(); }
   int traction_number(const Side& side, int i) const { return own_numbers_[side.node][1 + i]; }
   int place_number(const Side& side, int i) const { return own_numbers_[side.node][1 + dim + i]; }
-  int before_number(const Side& side, int i) const {
-    return own_numbers_[side.node][2 + 2 * dim + i];
-  }
+  static constexpr int before_0 = 2 + 2 * dim;  // the first own unknown of the places before
+  /// Own unknowns in the place of the place before.
+  Eigen::MatrixXd by_parts(int contact_node, const Eigen::MatrixXd& by_own) const;
   int side_of(int pair, int mesh_node) const { return side_of_[pair].at(mesh_node); }
   /// Numbers of u, then of d, of these mesh nodes; d only where the node wears, if `worn`.
   std::vector<int> numbers_of(const std::vector<int>& nodes, bool worn) const;
@@ -208,6 +219,7 @@ private:
   bool shape_is_unknown_;                      // else a node may touch where it could not wear
   std::vector<std::vector<int>> own_numbers_;  // of each contact node: those of its traction;
                                                // masters: -1
+  std::size_t most_parts_ = 0;                 // of a place before
   NodalNumbers<dim> memory_numbers_;           // of the last phase of a path
   std::vector<int> contact_of_;                // by mesh node; -1: none
   std::vector<std::map<int, int>> side_of_;    // by pair and mesh node

@@ -46,7 +46,8 @@ struct StickingInput {
 struct StickingParameters {
   double friction = 0;  ///< Coulomb's coefficient
   double rho = 1;       ///< of lambda_T [stress / length]
-  double interval = 1;  ///< since the phase before [time]
+  double interval = 1;  ///< since the place before [time]
+  bool rubs = true;     ///< else it has no friction: where it comes from is not known
 };
 
 /// The traction is lambda n_p + lambda_T, n_p = -n, where the slip since the phase before is

@@ -1,9 +1,16 @@
-// The interface of a contact term whose friction may stick: where the nodes are on their partner.
+// Contact terms whose friction may stick: where the nodes are on their partner, and were before.
 #pragma once
 
 #include <gnomon/terms/term.hpp>
 
 namespace gnomon {
+
+/// A row of a nodal field, times a factor.
+struct PartOfPlace {
+  FieldId field;
+  Eigen::Index row;
+  double factor = 1;
+};
 
 template <int dim>
 class PlacesOnPartner {

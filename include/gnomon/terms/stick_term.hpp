@@ -14,13 +14,6 @@
 
 namespace gnomon {
 
-/// A row of a nodal field, times a factor.
-struct PartOfPlace {
-  FieldId field;
-  Eigen::Index row;
-  double factor = 1;
-};
-
 /// A phase of a path, or steady rolling. What `contact` refers to must outlive the term.
 template <int dim>
 struct StickState {

@@ -10,7 +10,7 @@ from . import cycle, curves, style
 
 MOST_TIMES = 2
 STATES = ("open", "sticks", "slips")
-STUCK = 1e-3  # of the longest slip in a phase: less is creep of a node at its limit
+STUCK = 1e-3  # of the longest slip in a phase of the cycle: less is creep of a node at its limit
 
 
 def draw(result):
@@ -89,7 +89,7 @@ def zones_of(result, line, step):
     table, slip = result.contact(step), result.phase_slip(step)
     closed = result.phase_pressure(step) > 0
     length = numpy.where(closed, numpy.linalg.norm(slip, axis=2), 0)
-    states = numpy.where(length > STUCK * length.max(axis=1, keepdims=True), 2, 1)
+    states = numpy.where(length > STUCK * length.max(), 2, 1)
     states[~closed] = 0
     rows = []
     for state in states:
