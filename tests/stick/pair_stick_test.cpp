@@ -321,7 +321,6 @@ protected:
     PairFretting::SetUp();
     if (IsSkipped()) return;
     folder_.write("rail.geo", rail(two_half_planes(16, 14, 1.32)));
-    folder_.write("coarse_rail.geo", rail(two_half_planes(6, 5, 2.2, 0.12)));
   }
   /// With a surface from end to end of the block.
   static std::string rail(std::string bodies) {
@@ -343,7 +342,8 @@ TEST_F(PairRolling, SimilarBodiesCreepAsCarters) {
   const double Q = f * Mindlin::P * (1 - b * b / (a * a));
   const double power = observed(*model, start, "friction_power");
   EXPECT_NEAR(observed(*model, start, "stick_area") / (2 * b), 1, 0.05);
-  EXPECT_NEAR(power / (creepage * Q * V), 1, 0.1);  // a tenth of a: -9 %, a 24th: -4.6 %
+  // A tenth of a on blocks of 56 a: -9 %; on 560 a -4.4 %, at a 24th of a -0.07 %.
+  EXPECT_NEAR(power / (creepage * Q * V), 1, 0.1);
   EXPECT_NEAR(observed(*model, start, "wear_flux") / (1e-9 * power / f), 1, 1e-6);
   const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1000);
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / (1e-9 * power / f * 1000), 1, 1e-3);
@@ -366,17 +366,6 @@ TEST_F(PairRolling, FarBeyondStickItSlides) {
   Counters counters;
   EXPECT_NEAR(observed(*model, model->start(counters), "friction_power") / (0.3 * Mindlin::P * 20),
               1, 0.02);
-}
-
-TEST_F(PairRolling, JacobianEqualsFiniteDifferences) {
-  const auto model = this->model(rolling_cap(1000.5), {"mesh.file=coarse_rail.geo"});
-  Counters counters;
-  std::vector<double> y = model->start(counters).y;
-  const Structure& structure = model->system().structure();
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] += 0.02 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
-  const ActiveSet branch = active_set(model->system(), 0, y);
-  check_jacobian(model->system(), 0, y, 0.2, &branch, 1e-5);
 }
 
 TEST_F(PairRolling, WhatDoesNotGoTogetherIsRefused) {
@@ -435,6 +424,24 @@ TEST(PairFrettingInSpace, WhatTurnsTogetherIsAsAtRest) {
   EXPECT_LT(difference_in_a_turned_frame<3>(pair), 1e-9);
 }
 
+/// The same bodies in steady rolling.
+template <int dim>
+AssemblyParts<dim> rolling(const TwoBodies& pair) {
+  AssemblyParts<dim> parts = two_bodies<dim>(pair);
+  const Vector<dim> V = Vector<dim>::Unit(0);
+  parts.interface.rolling = Rolling<dim>{.velocity = V};
+  parts.pairs.front().velocities = {V, 1.01 * V};
+  for (Surface<dim>& surface : parts.interface.surfaces) {
+    surface.track = Track<dim>{{V}, 100};
+    for (const auto& facet : surface.facets)  // lines recede as a whole
+      for (const int node : facet) {
+        parts.shape.held.row(node).setOnes();
+        parts.shape.held(node, dim - 1) = 0;
+      }
+  }
+  return parts;
+}
+
 TEST(PairFrettingInSpace, JacobianEqualsFiniteDifferences) {
   TwoBodies pair{.upper = {.along = 5, .high = 2, .wear = 1e-3},
                  .lower = {.along = 7, .high = 2, .from = 0.1, .wear = 2e-3},
@@ -443,13 +450,15 @@ TEST(PairFrettingInSpace, JacobianEqualsFiniteDifferences) {
     std::vector<double> y = rough_state(model, {.every = 3});
     const ActiveSet branch = active_set(model.system(), 0, y);
     EXPECT_GT(std::ranges::count(branch, 1), 4);
-    EXPECT_GT(std::ranges::count(branch, 0), 4);
+    EXPECT_GE(std::ranges::count(branch, 0), 4);
     check_jacobian(model.system(), 0, y, 0.2, &branch, 1e-6);
   };
   check(WearModel<2>(on_a_path<2>(pair, 0.1, 1)));
+  check(WearModel<2>(rolling<2>(pair)));
   pair.upper.along = 2, pair.upper.high = pair.lower.high = 1, pair.upper.across = 2;
   pair.lower.along = 3, pair.lower.across = 1;
   check(WearModel<3>(on_a_path<3>(pair, 0.1, 1)));
+  check(WearModel<3>(rolling<3>(pair)));
 }
 
 }  // namespace
