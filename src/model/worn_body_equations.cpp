@@ -6,16 +6,11 @@
 #include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/condensed_body.hpp>
-#include <gnomon/terms/contact_term.hpp>
 #include <gnomon/terms/pressure_load.hpp>
 #include <gnomon/terms/shape_evolution.hpp>
 #include <gnomon/terms/shape_multiplier.hpp>
 #include <gnomon/terms/springs.hpp>
 #include <gnomon/terms/stick_term.hpp>
-#include <limits>
-
-#include "model/rigid_balance.hpp"
-#include "model/upstream.hpp"
 
 namespace gnomon {
 
@@ -25,74 +20,6 @@ template <int dim>
 std::shared_ptr<const std::vector<NodeInterpolation>> coarsening(const Assembly<dim>& body) {
   if (!body.solver.coarsens) return nullptr;
   return std::make_shared<const std::vector<NodeInterpolation>>(semi_coarsening(body.mesh));
-}
-
-template <int dim>
-ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& phase,
-                                const WornBodyFields& fields, double nominal_speed) {
-  const Interface<dim>& contact = body.interface;
-  ContactState<dim> state{.u = fields.u,
-                          .lambda = fields.lambda,
-                          .q = fields.w,
-                          .mesh = body.mesh,
-                          .parameters = {.counter_body = phase.counter_body,
-                                         .wear = {},
-                                         .friction = contact.friction,
-                                         .streaming = contact.streaming,
-                                         .normal_rule = contact.normal_rule,
-                                         .rho = contact.rho},
-                          .patches = body.contact_nodes,
-                          .wear_weight = body.wear_weight,
-                          .surface_of = body.surface_of,
-                          .part = phase.weight,
-                          .nominal_speed = nominal_speed};
-  for (const Surface<dim>& surface : contact.surfaces) state.laws.push_back(surface.wear);
-  return state;
-}
-
-template <int dim>
-MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase,
-                              const WornBodyFields& fields, double nominal_speed,
-                              const std::vector<MortarCandidates>& candidates) {
-  MortarState<dim> state{.u = fields.u,
-                         .lambda = fields.lambda,
-                         .d = fields.d,
-                         .mesh = body.mesh,
-                         .patches = body.contact_nodes,
-                         .pairs = body.pairs,
-                         .candidates = candidates,
-                         .surface_of = body.surface_of,
-                         .wear_weight = body.wear_weight,
-                         .normal_rule = body.interface.normal_rule,
-                         .section = body.section(),
-                         .rho = body.interface.rho,
-                         .places = phase.places,
-                         .part = phase.weight,
-                         .nominal_speed = nominal_speed};
-  for (const Surface<dim>& surface : body.interface.surfaces) state.laws.push_back(surface.wear);
-  return state;
-}
-
-/// Of lambda_T in rolling, of a stiffness of contact: Newton's method may cycle from a cold start
-/// at 1, and turn the slip of nodes in space too slowly far below.
-constexpr double softness_of_rolling = 0.1;
-
-/// The smallest modulus of the bodies.
-template <int dim>
-double softest(const Assembly<dim>& assembly) {
-  double young = std::numeric_limits<double>::infinity();
-  for (const Body& body : assembly.bodies) young = std::min(young, body.material.young_modulus);
-  return young;
-}
-
-/// Ascending, each once.
-template <class Facets>
-std::vector<int> nodes_of(const Facets& facets) {
-  std::vector<int> nodes;
-  for (const auto& facet : facets) nodes.insert(nodes.end(), facet.begin(), facet.end());
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
 }
 
 }  // namespace
@@ -130,22 +57,6 @@ void WornBodyEquations<dim>::add(std::vector<TermFactory<dim>>& terms, TermKind 
   terms.push_back(std::move(make));
 }
 
-/// Of pairs: facets that may meet in a phase, which need not be one of the assembly's.
-template <int dim>
-std::vector<MortarCandidates> WornBodyEquations<dim>::candidates_in(const Phase<dim>& phase) const {
-  std::vector<MortarCandidates> result;
-  const std::vector<MortarPair<dim>>& pairs = assembly_->pairs;
-  if (pairs.empty()) return result;
-  const std::vector<Phase<dim>> own = assembly_->instants();
-  const auto known = std::ranges::find(own, phase.position, &Phase<dim>::position);
-  const auto x =
-      in_space(pairs, phase.places,
-               known != own.end() ? assembly_->near[static_cast<std::size_t>(known - own.begin())]
-                                  : RigidBalance<dim>(*assembly_, phase.places).x);
-  for (const MortarPair<dim>& pair : pairs) result.push_back(mortar_candidates(pair, x));
-  return result;
-}
-
 template <int dim>
 NodalField<dim> WornBodyEquations<dim>::moved_on_partner(const FieldValues<dim>& values) const {
   const NodalField<dim>& u = values.vector(fields().u);
@@ -166,134 +77,6 @@ NodalField<dim> WornBodyEquations<dim>::carried(const Phase<dim>& phase) const {
                    assembly_->contact_nodes[c].initial_position)
             .transpose();
   return result;
-}
-
-/// Of a phase of a path, after the one before it.
-template <int dim>
-StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nominal_speed) const {
-  const double period = assembly_->cycle->motion.cycle.period;
-  StickState<dim> state{.contact = contact_state(*assembly_, phases_[p], fields_[p], nominal_speed),
-                        .traction = fields_[p].traction,
-                        .carried = carried(phases_[p]),
-                        .before = {},
-                        .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
-                        .memory = fields_[p].memory,
-                        .is_last = p + 1 == phases_.size(),
-                        .rho = assembly_->interface.rho,
-                        .interval = {},
-                        .share = phases_[p].interval / phases_[p].weight,
-                        .period = period};
-  state.interval.assign(assembly_->contact_nodes.size(), phases_[p].interval * period);
-  for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
-    state.before.push_back({p == 0
-                                ? PartOfPlace{state.memory, static_cast<Eigen::Index>(c)}
-                                : PartOfPlace{fields_[p - 1].u, assembly_->contact_nodes[c].node}});
-  if (p == 0) return state;
-  state.q_before = fields_[p - 1].w;
-  state.carried_before = carried(phases_[p - 1]);
-  return state;
-}
-
-template <int dim>
-MortarPath<dim> WornBodyEquations<dim>::mortar_path(std::size_t p) const {
-  const WornBodyFields& fields = fields_[p];
-  const double period = assembly_->cycle->motion.cycle.period;
-  const std::size_t count = assembly_->contact_nodes.size();
-  MortarPath<dim> path{.traction = fields.traction,
-                       .place = fields.place,
-                       .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
-                       .memory = fields.memory,
-                       .is_last = p + 1 == phases_.size(),
-                       .rho = assembly_->interface.rho,
-                       .interval = std::vector<double>(count, phases_[p].interval * period),
-                       .share = phases_[p].interval / phases_[p].weight,
-                       .period = period};
-  for (std::size_t c = 0; c < count; ++c)
-    path.before.push_back({{p == 0 ? fields.memory : fields_[p - 1].place, Eigen::Index(c)}});
-  return path;
-}
-
-/// As rolling_state(), of pairs: the places on the partner's material in the place of
-/// displacements.
-template <int dim>
-MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
-  const std::size_t count = assembly_->contact_nodes.size();
-  MortarPath<dim> path{.traction = fields().traction,
-                       .place = fields().place,
-                       .before = std::vector<std::vector<PartOfPlace>>(count),
-                       .passed = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
-                       .lambda_before = fields().lambda,
-                       .rho = 0,
-                       .interval = std::vector<double>(count, 1)};
-  for (const MortarPair<dim>& pair : assembly_->pairs) {
-    const std::vector<int> slaves = nodes_of(pair.slave);
-    for (const Upstream& at : upstream_of(*assembly_)) {
-      if (!std::ranges::binary_search(slaves, at.node)) continue;
-      const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
-      for (const auto& [node, factor] : at.from)
-        path.before[c].push_back({fields().place, assembly_->contact_node(node), factor});
-      path.interval[c] = at.distance / pair.velocities[0].norm();
-      path.passed.row(static_cast<Eigen::Index>(c)) =
-          path.interval[c] * (pair.velocities[0] - pair.velocities[1]).transpose();
-      path.rho = std::max(path.rho, softness_of_rolling * softest(*assembly_) / at.distance);
-    }
-  }
-  return path;
-}
-
-/// The place before is where the material upstream is, by differences of second order.
-template <int dim>
-StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) const {
-  const Rolling<dim>& rolling = *assembly_->interface.rolling;
-  const CounterBody<dim>& partner = assembly_->interface.partner;
-  const std::size_t count = assembly_->contact_nodes.size();
-  StickState<dim> state{
-      .contact = contact_state(*assembly_, phases_.front(), fields(), nominal_speed),
-      .traction = fields().traction,
-      .carried = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
-      .before = std::vector<std::vector<PartOfPlace>>(count),
-      .lambda_before = fields().lambda,
-      .rho = 0,
-      .interval = std::vector<double>(count, 1),
-      .rolling = rolling};
-  for (const Upstream& at : upstream_of(*assembly_)) {
-    const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
-    const Vector<dim> X = assembly_->mesh.nodes[static_cast<std::size_t>(at.node)];
-    Vector<dim> streamed = X;
-    for (const auto& [node, factor] : at.from) {
-      state.before[c].push_back({fields().u, node, factor});
-      streamed -= factor * assembly_->mesh.nodes[static_cast<std::size_t>(node)];
-    }
-    state.interval[c] = at.distance / rolling.velocity.norm();
-    if (rolling.linear && partner.motion.moves())
-      streamed -= state.interval[c] * partner.motion.at(Vector<dim>(X - partner.position));
-    else if (rolling.linear)
-      streamed.setZero();
-    state.carried.row(static_cast<Eigen::Index>(c)) =
-        -(streamed + at.distance * rolling.creepage_at(X)).transpose();
-    state.rho = std::max(state.rho, softness_of_rolling * softest(*assembly_) / at.distance);
-  }
-  return state;
-}
-
-/// Of a phase.
-template <int dim>
-TermFactory<dim> WornBodyEquations<dim>::contact_of(std::size_t p, double speed) const {
-  const Assembly<dim>& of = *assembly_;
-  const FieldId d = fields().d;
-  if (!of.pairs.empty()) {
-    MortarState<dim> state =
-        mortar_state(of, phases_[p], fields_[p], speed, candidates_in(phases_[p]));
-    if (of.interface.sticks) state.path = mortar_path(p);
-    if (of.interface.rolling) state.path = mortar_rolling();
-    return [state](const Numbering& n) { return std::make_unique<MortarTerm<dim>>(state, n); };
-  }
-  if (of.interface.sticks || of.interface.rolling)
-    return [state = of.interface.sticks ? stick_state(p, speed) : rolling_state(speed),
-            d](const Numbering& n) { return std::make_unique<StickTerm<dim>>(state, d, n); };
-  return [state = contact_state(of, phases_[p], fields_[p], speed), d](const Numbering& n) {
-    return std::make_unique<ContactTerm<dim>>(state, d, n);
-  };
 }
 
 template <int dim>
