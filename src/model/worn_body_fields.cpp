@@ -5,6 +5,7 @@
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/shape_multiplier.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -102,6 +103,29 @@ double slip_scale(const Assembly<dim>& body, const std::vector<Phase<dim>>& phas
   return range > 0 ? range : std::max(body.interface.friction, 1e-3) * scales.displacement;
 }
 
+/// Whether friction at a contact node moves nothing in a direction: the node is held, and so is, of
+/// a pair, the node of the master that is opposite, as in a symmetry.
+template <int dim>
+bool held_on_partner(const Assembly<dim>& body, int node, int direction) {
+  if (!body.supports.held(node, direction)) return false;
+  const Vector<dim>& X = body.mesh.nodes[static_cast<std::size_t>(node)];
+  double nearest = std::numeric_limits<double>::infinity();
+  bool held = true;
+  for (const MortarPair<dim>& pair : body.pairs) {
+    const auto has = [node](const auto& facet) { return std::ranges::count(facet, node) > 0; };
+    if (std::ranges::none_of(pair.slave, has)) continue;
+    for (const auto& facet : pair.master)
+      for (const int other : facet) {
+        const Vector<dim> apart = body.mesh.nodes[static_cast<std::size_t>(other)] - X,
+                          beside = apart - pair.approach * pair.approach.dot(apart);
+        if (beside.norm() >= nearest) continue;
+        nearest = beside.norm();
+        held = body.supports.held(other, direction);
+      }
+  }
+  return held;
+}
+
 /// Vectors at the contact nodes that carry a multiplier.
 template <int dim>
 Field contact_vectors(const Assembly<dim>& body, const char* name, int block) {
@@ -178,9 +202,9 @@ void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
                                .role = Role::friction,
                                .owner = static_cast<int>(p)});
     Field traction = contact_vectors(*assembly_, "friction_multiplier", block);
-    for (std::size_t c = 0; c < traction.node.size(); ++c)  // held by what holds the node
+    for (std::size_t c = 0; c < traction.node.size(); ++c)
       for (int i = 0; i < dim; ++i)
-        if (assembly_->supports.held(traction.node[c], i))
+        if (held_on_partner(*assembly_, traction.node[c], i))
           traction.block(static_cast<Eigen::Index>(c), i) = -1;
     traction.row_scale.setConstant(scales.displacement);
     traction.unknown_scale.setConstant(scales.stress);

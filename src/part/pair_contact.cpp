@@ -72,7 +72,7 @@ void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) 
 /// other one covers over the cycle, if one of them is clearly smaller. Returns why, or nothing.
 template <int dim>
 std::string choose_covered(const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
-  constexpr double clearly = 0.8;
+  constexpr double clearly = 0.95;
   const auto area = [&](const auto& facets) {
     double sum = 0;
     for (const auto& patch : contact_patches<dim>(parts.mesh, facets, {}, parts.section()))

@@ -146,9 +146,10 @@ void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
             "{}: [[pair]]: expected also [cycle] beside stick, or a [[motion]] of both \"{}\" and "
             "\"{}\", by whose velocities they roll on each other",
             scene.path().string(), pair.bodies[0], pair.bodies[1]));
-    if (pair.motion.moves() && !pair.motion.spin.isZero(0))
+    if (!pair.motion.spin.isZero(0) || pair.motion.across != 0)
       throw InputError(scene.path().string() +
-                       ": [[motion]]: expected a velocity, and no rotation, of bodies that roll");
+                       ": [[motion]]: expected a velocity along the contact, in the plane, and no "
+                       "rotation, of bodies that roll");
     if (!(pair.friction > 0))
       refuse(scene, "friction.coefficient", "a coefficient above zero where bodies roll");
   }

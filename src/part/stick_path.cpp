@@ -92,8 +92,8 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
   require_closed_path(scene, motion.cycle, motion.axis);
   for (const BodyCycle<dim>& body : motion.bodies) {
     require_closed_path(scene, body.cycle, body.axis);
-    if (body.motion.moves())
-      refuse(scene, "no motion.#.velocity or .omega beside it: a steady motion does not stick");
+    if (body.motion.moves() || body.motion.across != 0 || !body.motion.across_by_x.isZero(0))
+      refuse(scene, "no motion.#.velocity or .rotation beside it: a steady motion does not stick");
   }
   if (rest.motion.velocity.norm() + rest.motion.spin.norm() + std::abs(rest.motion.across) > 0)
     refuse(scene, "no counter_body.motion beside it: a steady motion does not stick");
@@ -191,7 +191,8 @@ void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (!(parts.interface.friction > 0) ||
       std::ranges::any_of(parts.pairs, [](const auto& pair) { return !(pair.friction > 0); }))
     throw InputError(scene.where("friction.coefficient") +
-                     ": expected a coefficient above zero beside friction.stick");
+                     ": expected a coefficient above zero beside friction.stick, and a friction "
+                     "above zero of every [[pair]]");
 }
 
 template ReadPhases<2> read_path(const Scene&, const CyclicMotion<2>&, const CounterBody<2>&,

@@ -139,7 +139,9 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
   state.rate_by_speed = state.rate.by_speed + friction * p * state.rate.by_friction_power;
   if (!own.may_move()) return;
   state.direction.emplace(own, X, state_.normal_rule);
-  if (state.rate.value != 0 && shape_is_unknown_) require_direction(own, state.direction->value);
+  // A node that has just opened wears by a pressure that may be no more than a rounding error.
+  if (state.rate.value != 0 && state.active && shape_is_unknown_)
+    require_direction(own, state.direction->value);
 }
 
 template <int dim>
