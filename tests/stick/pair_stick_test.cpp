@@ -270,12 +270,21 @@ TEST_F(PairFretting, AnOverhangingPadWearsByItsPath) {
   for (const char* body : {"wear_flux_pad", "wear_flux_base"})
     EXPECT_NEAR(observed(*model, start, body) / gross, 1, 0.015) << body;
   EXPECT_NEAR(observed(*model, start, "friction_work") / (0.3 * 10 * 0.8), 1, 0.015);
+  // The nodes at its sides, which are held, rub, too.
+  const ContactSurface surface = model->contact(start).value();
+  double most = 0;
+  for (std::size_t p = 0; p < surface.phase_position.size(); ++p)
+    most = std::max(most, std::abs(surface.phase_loop[4 * p + 2]));
+  EXPECT_NEAR(most / (0.3 * 10), 1, 1e-4);
 }
 
 TEST_F(PairFretting, WhatDoesNotGoTogetherIsRefused) {
   expect_refused(similar(), {"integrator.name=erk-2"}, "expected an implicit method");
   expect_refused(similar(), {"pair.1.friction=0"}, "expected a coefficient above zero");
   expect_refused(similar("x = \"1e-3 * tau\""), {}, "ends where it begins");
+  std::string across = similar();
+  across.replace(across.find("cycle = {"), 9, "velocity = [0.0, 0.0, 1.0], cycle = {");
+  expect_refused(across, {}, "a steady motion does not stick");
   expect_refused(similar(), {"pair.1.stick=false"}, "friction.stick = true follows");
 }
 
