@@ -6,7 +6,7 @@
 #include "stick/stick_scenes.hpp"
 #include "support/problem_run.hpp"
 #include "support/rough_state.hpp"
-#include "support/two_bodies.hpp"
+#include "support/turned_bodies.hpp"
 
 namespace gnomon::pair_stick_test {
 namespace {
@@ -291,14 +291,7 @@ TEST_F(PairFretting, WhatDoesNotGoTogetherIsRefused) {
 TEST_F(PairFretting, JacobianEqualsFiniteDifferences) {
   const auto model = this->model(similar(), {"mesh.file=coarse_two.geo", "cycle.phases=3",
                                              "time.cycles=1e5", "wear.coefficient=2.9e-7"});
-  Counters counters;
-  std::vector<double> y = model->start(counters).y;
-  const Structure& structure = model->system().structure();
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] += 0.05 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
-  const ActiveSet branch = active_set(model->system(), 0, y);
-  EXPECT_GT(std::ranges::count(branch, 1), 4);
-  EXPECT_GT(std::ranges::count(branch, 0), 4);
+  const auto [y, branch] = near_the_start(*model);
   check_jacobian(model->system(), 0, y, 0.2, &branch, 3e-5);
 }
 
@@ -408,29 +401,16 @@ AssemblyParts<dim> on_a_path(const TwoBodies& pair, double stroke, double turnin
   return parts;
 }
 
-/// The largest difference of start and rates, of those where the bodies are not turned.
+/// Of a path along which they are turned, beside one without.
 template <int dim>
-double difference_in_a_turned_frame(const TwoBodies& pair) {
-  const WearModel<dim> rest(on_a_path<dim>(pair, 0.02, 0)), turned(on_a_path<dim>(pair, 0.02, 1));
-  Counters counters;
-  const State one = rest.start(counters), other = turned.start(counters);
-  double most = 0, size = 0;
-  for (std::size_t k = 0; k < one.y.size(); ++k) {
-    most = std::max({most, std::abs(one.y[k] - other.y[k]), std::abs(one.ydot[k] - other.ydot[k])});
-    size = std::max({size, std::abs(one.y[k]), std::abs(one.ydot[k])});
-  }
-  return most / size;
+double difference_in_a_turned_frame() {
+  const TwoBodies pair = bodies_to_turn<dim>();
+  return difference_of_starts<dim>(on_a_path<dim>(pair, 0.02, 0), on_a_path<dim>(pair, 0.02, 1));
 }
 
 TEST(PairFrettingInSpace, WhatTurnsTogetherIsAsAtRest) {
-  TwoBodies pair{.upper = {.along = 4, .high = 3, .wear = 1e-5},
-                 .lower = {.along = 6, .high = 3, .wear = 2e-5},
-                 .friction = 0.3};
-  pair.lower.surface = [](double x) { return -0.02 * x * x; };
-  EXPECT_LT(difference_in_a_turned_frame<2>(pair), 1e-9);
-  pair.upper.along = pair.upper.high = pair.upper.across = 2;
-  pair.lower.along = 3, pair.lower.high = 2, pair.lower.across = 2;
-  EXPECT_LT(difference_in_a_turned_frame<3>(pair), 1e-9);
+  EXPECT_LT(difference_in_a_turned_frame<2>(), 1e-9);
+  EXPECT_LT(difference_in_a_turned_frame<3>(), 1e-9);
 }
 
 /// The same bodies in steady rolling.

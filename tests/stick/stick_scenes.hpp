@@ -151,6 +151,19 @@ phases = 4
   }
 };
 
+/// A state beside the start of a path, with its branches, of which some are open and some closed.
+inline std::pair<std::vector<double>, ActiveSet> near_the_start(const Model& model) {
+  Counters counters;
+  std::vector<double> y = model.start(counters).y;
+  const Structure& structure = model.system().structure();
+  for (std::size_t i = 0; i < y.size(); ++i)
+    y[i] += 0.05 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
+  const ActiveSet branch = active_set(model.system(), 0, y);
+  EXPECT_GT(std::ranges::count(branch, 1), 4);
+  EXPECT_GT(std::ranges::count(branch, 0), 4);
+  return {y, branch};
+}
+
 /// Of a contact surface, the row of a phase: one component at each node.
 inline std::vector<double> of_phase(const ContactSurface& surface,
                                     const std::vector<double>& values, std::size_t phase,
