@@ -156,7 +156,9 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
       stroke = std::max(stroke, (carried(phase) - carried(other)).norm());
   const double given = *parts.interface.speed;
   if (stroke > 2 * shear) return given;
-  const double most = 4 * slipping * shear / period,
+  // Less than half of the contact slips where the stroke is short beside the shear.
+  const double part = stroke > 0 ? std::min(1.0, stroke / (2 * shear)) : 1,
+               most = 4 * slipping * shear * part * part / period,
                speed = given > 0 ? std::min(given, most) : most;
   if (given == 0) return speed;  // what wears is not known yet
   const double deepest = expected.scales.wear_depth * speed / given;
