@@ -17,9 +17,7 @@ PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<
   for (std::size_t c = 0; c < nodes.size(); ++c)
     if (assembly.carries[c]) force -= nodes[c].area * nodes[c].traction;
   for (const Upstream& at : upstream_of(assembly)) {
-    const auto c = static_cast<std::size_t>(assembly.contact_node(at.node));
-    if (!assembly.carries[c]) continue;
-    const ContactNode<dim>& node = nodes[c];
+    const ContactNode<dim>& node = nodes[static_cast<std::size_t>(assembly.contact_node(at.node))];
     const Vector<dim> friction = node.force - node.area * node.traction * node.normal;
     power.dissipated += assembly.copies * speed / at.distance * friction.dot(node.slip);
     for (const auto& [of, factor] : at.upwind)

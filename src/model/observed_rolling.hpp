@@ -17,15 +17,15 @@ struct PowerOfRolling {
   double without_friction = 0;
 };
 
-/// `nodes`: the contact nodes of the state.
+/// `moved`: WornBodyEquations::moved_on_partner(); `nodes`: the contact nodes of the state.
 template <int dim>
-PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<dim>& u,
+PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
                                 const std::vector<ContactNode<dim>>& nodes);
 
 /// Appends creepage_x, ..., friction_power and stick_area. `q`: the motion of the partner; `units`:
 /// as for common().
 template <int dim>
-void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& u,
+void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
                      const std::vector<ContactNode<dim>>& nodes, const PartnerMotion<>& q,
                      int units, Observation& observed);
 

@@ -24,15 +24,15 @@ void compare_with_central(int next, double h, double H, Upstream& at) {
 }  // namespace
 
 template <int dim>
-std::vector<Upstream> upstream_of(const AssemblyParts<dim>& parts) {
+std::vector<Upstream> upstream_of(const Assembly<dim>& assembly) {
   std::vector<Upstream> result;
-  for (const Surface<dim>& surface : parts.interface.surfaces) {
+  for (const Surface<dim>& surface : assembly.interface.surfaces) {
     if (!surface.track) continue;
-    SurfaceLines lines = lines_of_surface(parts.mesh, surface.facets, surface.track->along);
+    SurfaceLines lines = lines_of_surface(assembly.mesh, surface.facets, surface.track->along);
     for (std::vector<int>& line : lines.nodes) {
       const auto distance = [&](std::size_t a, std::size_t b) {
-        return (parts.mesh.nodes[static_cast<std::size_t>(line[b])] -
-                parts.mesh.nodes[static_cast<std::size_t>(line[a])])
+        return (assembly.mesh.nodes[static_cast<std::size_t>(line[b])] -
+                assembly.mesh.nodes[static_cast<std::size_t>(line[a])])
             .norm();
       };
       for (std::size_t k = 1; k < line.size(); ++k) {
@@ -47,10 +47,13 @@ std::vector<Upstream> upstream_of(const AssemblyParts<dim>& parts) {
       }
     }
   }
+  std::erase_if(result, [&](const Upstream& at) {
+    return !assembly.carries[static_cast<std::size_t>(assembly.contact_node(at.node))];
+  });
   return result;
 }
 
-template std::vector<Upstream> upstream_of(const AssemblyParts<2>&);
-template std::vector<Upstream> upstream_of(const AssemblyParts<3>&);
+template std::vector<Upstream> upstream_of(const Assembly<2>&);
+template std::vector<Upstream> upstream_of(const Assembly<3>&);
 
 }  // namespace gnomon

@@ -18,8 +18,9 @@ struct Upstream {
   std::vector<std::pair<int, double>> upwind = {};
 };
 
-/// Of all nodes of tracks, but for the first of each line, along the velocity of the rolling.
+/// Of all nodes of tracks that carry a multiplier, but for the first of each line, along the
+/// velocity of the rolling.
 template <int dim>
-std::vector<Upstream> upstream_of(const AssemblyParts<dim>& parts);
+std::vector<Upstream> upstream_of(const Assembly<dim>& assembly);
 
 }  // namespace gnomon

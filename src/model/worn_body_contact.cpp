@@ -5,6 +5,7 @@
 #include <gnomon/terms/stick_term.hpp>
 #include <limits>
 
+#include "mesh/facet_table.hpp"
 #include "model/rigid_balance.hpp"
 #include "model/upstream.hpp"
 
@@ -58,26 +59,15 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
   return state;
 }
 
-/// Of lambda_T in rolling, of a stiffness of contact: Newton's method may cycle from a cold start
-/// at 1, and turn the slip of nodes in space too slowly far below.
-constexpr double softness_of_rolling = 0.1;
-
-/// The smallest modulus of the bodies.
+/// rho of lambda_T in rolling, a part of a stiffness of contact: at 1 Newton's method may cycle
+/// from a cold start, and far below it turns the slip of nodes in space too slowly.
 template <int dim>
-double softest(const Assembly<dim>& assembly) {
-  double young = std::numeric_limits<double>::infinity();
+double rho_of_rolling(const Assembly<dim>& assembly, const std::vector<Upstream>& upstream) {
+  constexpr double softness = 0.1;
+  double young = std::numeric_limits<double>::infinity(), rho = 0;
   for (const Body& body : assembly.bodies) young = std::min(young, body.material.young_modulus);
-  return young;
-}
-
-/// Ascending, each once.
-template <class Facets>
-std::vector<int> nodes_of(const Facets& facets) {
-  std::vector<int> nodes;
-  for (const auto& facet : facets) nodes.insert(nodes.end(), facet.begin(), facet.end());
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
+  for (const Upstream& at : upstream) rho = std::max(rho, softness * young / at.distance);
+  return rho;
 }
 
 }  // namespace
@@ -148,24 +138,24 @@ MortarPath<dim> WornBodyEquations<dim>::mortar_path(std::size_t p) const {
 template <int dim>
 MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
   const std::size_t count = assembly_->contact_nodes.size();
+  const std::vector<Upstream> upstream = upstream_of(*assembly_);
   MortarPath<dim> path{.traction = fields().traction,
                        .place = fields().place,
                        .before = std::vector<std::vector<PartOfPlace>>(count),
                        .passed = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
                        .lambda_before = fields().lambda,
-                       .rho = 0,
+                       .rho = rho_of_rolling(*assembly_, upstream),
                        .interval = std::vector<double>(count, 1)};
   for (const MortarPair<dim>& pair : assembly_->pairs) {
-    const std::vector<int> slaves = nodes_of(pair.slave);
-    for (const Upstream& at : upstream_of(*assembly_)) {
-      if (!std::ranges::binary_search(slaves, at.node)) continue;
+    const std::set<int> slaves = nodes_of_facets(pair.slave);
+    for (const Upstream& at : upstream) {
+      if (!slaves.contains(at.node)) continue;
       const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
       for (const auto& [node, factor] : at.from)
         path.before[c].push_back({fields().place, assembly_->contact_node(node), factor});
       path.interval[c] = at.distance / pair.velocities[0].norm();
       path.passed.row(static_cast<Eigen::Index>(c)) =
           path.interval[c] * (pair.velocities[0] - pair.velocities[1]).transpose();
-      path.rho = std::max(path.rho, softness_of_rolling * softest(*assembly_) / at.distance);
     }
   }
   return path;
@@ -177,16 +167,17 @@ StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) cons
   const Rolling<dim>& rolling = *assembly_->interface.rolling;
   const CounterBody<dim>& partner = assembly_->interface.partner;
   const std::size_t count = assembly_->contact_nodes.size();
+  const std::vector<Upstream> upstream = upstream_of(*assembly_);
   StickState<dim> state{
       .contact = contact_state(*assembly_, phases_.front(), fields(), nominal_speed),
       .traction = fields().traction,
       .carried = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
       .before = std::vector<std::vector<PartOfPlace>>(count),
       .lambda_before = fields().lambda,
-      .rho = 0,
+      .rho = rho_of_rolling(*assembly_, upstream),
       .interval = std::vector<double>(count, 1),
       .rolling = rolling};
-  for (const Upstream& at : upstream_of(*assembly_)) {
+  for (const Upstream& at : upstream) {
     const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
     const Vector<dim> X = assembly_->mesh.nodes[static_cast<std::size_t>(at.node)];
     Vector<dim> streamed = X;
@@ -201,7 +192,6 @@ StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) cons
       streamed.setZero();
     state.carried.row(static_cast<Eigen::Index>(c)) =
         -(streamed + at.distance * rolling.creepage_at(X)).transpose();
-    state.rho = std::max(state.rho, softness_of_rolling * softest(*assembly_) / at.distance);
   }
   return state;
 }
