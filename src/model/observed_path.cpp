@@ -3,6 +3,8 @@
 #include <gnomon/base/processes.hpp>
 #include <gnomon/model/wear_model.hpp>
 
+#include "mesh/facet_table.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -31,17 +33,17 @@ template <int dim>
 std::vector<char> in_loop(const Assembly<dim>& assembly) {
   if (assembly.pairs.empty()) return std::vector<char>(assembly.contact_nodes.size(), 1);
   std::vector<char> result(assembly.contact_nodes.size(), 0);
-  for (const auto& facet : assembly.pairs.front().slave)
-    for (const int node : facet) result[static_cast<std::size_t>(assembly.contact_node(node))] = 1;
+  for (const int node : nodes_of_facets(assembly.pairs.front().slave))
+    result[static_cast<std::size_t>(assembly.contact_node(node))] = 1;
   return result;
 }
 
 /// How far the master of the first pair has moved, in the frame of the slave, where they slide.
 template <int dim>
 Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase) {
-  const PairPlaces<dim> places(assembly.pairs.front(), phase.places);
-  const Vector<dim>& X = assembly.cycle->motion.point;
-  return places.of[0].turn.transpose() * (places.of[1].of(X) - places.of[0].of(X));
+  CyclicMotion<dim> motion = assembly.cycle->motion;
+  motion.sliding = assembly.pairs.front().numbers;  // the slave may be the second in the scene
+  return carried_by(motion, assembly.interface.partner, phase, motion.point);
 }
 
 }  // namespace
@@ -75,9 +77,8 @@ template <int dim>
 std::vector<double> friction_at(const Assembly<dim>& assembly) {
   std::vector<double> friction(assembly.contact_nodes.size(), assembly.interface.friction);
   for (const MortarPair<dim>& pair : assembly.pairs)
-    for (const auto& facet : pair.slave)
-      for (const int node : facet)
-        friction[static_cast<std::size_t>(assembly.contact_node(node))] = pair.friction;
+    for (const int node : nodes_of_facets(pair.slave))
+      friction[static_cast<std::size_t>(assembly.contact_node(node))] = pair.friction;
   return friction;
 }
 

@@ -126,10 +126,11 @@ bool held_on_partner(const Assembly<dim>& body, int node, int direction) {
   return held;
 }
 
-/// Vectors at the contact nodes that carry a multiplier.
+/// Vectors at the contact nodes that carry a multiplier, in a block of their own.
 template <int dim>
-Field contact_vectors(const Assembly<dim>& body, const char* name, int block) {
-  Field field(name, contact_nodes(body), dim);
+Field contact_vectors(const Assembly<dim>& body, const Block& own, FieldSet& set) {
+  const int block = set.add(own);
+  Field field(own.name, contact_nodes(body), dim);
   for (std::size_t c = 0; c < body.carries.size(); ++c)
     field.block.row(static_cast<Eigen::Index>(c)).setConstant(body.carries[c] ? block : -1);
   return field;
@@ -195,17 +196,19 @@ FieldSet WornBodyEquations<dim>::make_fields() {
 /// lambda_T of each phase.
 template <int dim>
 void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
+  std::vector<std::pair<std::size_t, int>> held;  // contact nodes, and directions
+  for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
+    for (int i = 0; i < dim; ++i)
+      if (held_on_partner(*assembly_, assembly_->contact_nodes[c].node, i)) held.emplace_back(c, i);
   for (std::size_t p = 0; p < phases_.size(); ++p) {
-    const int block = set.add({.name = "friction_multiplier",
-                               .symbol = "lambda_T",
-                               .where = "contact nodes",
-                               .role = Role::friction,
-                               .owner = static_cast<int>(p)});
-    Field traction = contact_vectors(*assembly_, "friction_multiplier", block);
-    for (std::size_t c = 0; c < traction.node.size(); ++c)
-      for (int i = 0; i < dim; ++i)
-        if (held_on_partner(*assembly_, traction.node[c], i))
-          traction.block(static_cast<Eigen::Index>(c), i) = -1;
+    Field traction = contact_vectors(*assembly_,
+                                     {.name = "friction_multiplier",
+                                      .symbol = "lambda_T",
+                                      .where = "contact nodes",
+                                      .role = Role::friction,
+                                      .owner = static_cast<int>(p)},
+                                     set);
+    for (const auto& [c, i] : held) traction.block(static_cast<Eigen::Index>(c), i) = -1;
     traction.row_scale.setConstant(scales.displacement);
     traction.unknown_scale.setConstant(scales.stress);
     fields_[p].traction = set.add(std::move(traction));
@@ -215,13 +218,14 @@ void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
 /// s of a path.
 template <int dim>
 void WornBodyEquations<dim>::add_memory(double slip, const Scales& scales, FieldSet& set) {
-  const int block = set.add({.name = "slip_memory",
-                             .symbol = "s",
-                             .where = "contact nodes (differential)",
-                             .role = Role::memory,
-                             .differential = true,
-                             .tolerance_scale = slip / scales.wear_depth});
-  Field memory = contact_vectors(*assembly_, "slip_memory", block);
+  Field memory = contact_vectors(*assembly_,
+                                 {.name = "slip_memory",
+                                  .symbol = "s",
+                                  .where = "contact nodes (differential)",
+                                  .role = Role::memory,
+                                  .differential = true,
+                                  .tolerance_scale = slip / scales.wear_depth},
+                                 set);
   memory.row_scale.setConstant(slip / assembly_->cycle->motion.cycle.period);
   memory.unknown_scale.setConstant(slip);
   const FieldId s = set.add(std::move(memory));
@@ -232,12 +236,13 @@ void WornBodyEquations<dim>::add_memory(double slip, const Scales& scales, Field
 template <int dim>
 void WornBodyEquations<dim>::add_places(double slip, FieldSet& set) {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
-    const int places = set.add({.name = "place_on_partner",
-                                .symbol = "r",
-                                .where = "contact nodes",
-                                .role = Role::friction,
-                                .owner = static_cast<int>(p)});
-    Field place = contact_vectors(*assembly_, "place_on_partner", places);
+    Field place = contact_vectors(*assembly_,
+                                  {.name = "place_on_partner",
+                                   .symbol = "r",
+                                   .where = "contact nodes",
+                                   .role = Role::friction,
+                                   .owner = static_cast<int>(p)},
+                                  set);
     place.row_scale.setConstant(slip);
     place.unknown_scale.setConstant(slip);
     fields_[p].place = set.add(std::move(place));

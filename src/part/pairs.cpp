@@ -209,22 +209,12 @@ void require_moving_pairs(const Scene& scene) {
   }
 }
 
+/// Of a body, which is at rest without one.
 template <int dim>
-Vector<dim> velocity_of(const std::map<std::string, BodyCycle<dim>>& motions,
-                        const std::string& body) {
+RigidMotion<dim> motion_of(const std::map<std::string, BodyCycle<dim>>& motions,
+                           const std::string& body) {
   const auto found = motions.find(body);
-  return found == motions.end() ? Vector<dim>(Vector<dim>::Zero()) : found->second.motion.velocity;
-}
-
-/// That of the second body relative to the first; bodies without a motion are at rest.
-template <int dim>
-RigidMotion<dim> difference_of(const std::map<std::string, BodyCycle<dim>>& motions,
-                               const std::array<std::string, 2>& bodies) {
-  const auto motion = [&](const std::string& name) {
-    const auto found = motions.find(name);
-    return found == motions.end() ? RigidMotion<dim>{} : found->second.motion;
-  };
-  return relative_motion(motion(bodies[0]), motion(bodies[1]));
+  return found == motions.end() ? RigidMotion<dim>{} : found->second.motion;
 }
 
 /// Where a pair does not slide, or moves towards each other.
@@ -284,12 +274,13 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
     MortarPair<dim> pair{
         .slave = boundary_of(scene, table, part, body_of, wearing, bodies[0]),
         .master = boundary_of(scene, table, part, body_of, wearing, bodies[1]),
-        .motion = difference_of<dim>(motions, names),
+        .motion = relative_motion(motion_of(motions, names[0]), motion_of(motions, names[1])),
         .friction = scene.given(table + ".friction") ? scene.real(table + ".friction")
                                                      : scene.real("friction.coefficient"),
         .bodies = names,
         .numbers = bodies,
-        .velocities = {velocity_of(motions, names[0]), velocity_of(motions, names[1])}};
+        .velocities = {motion_of(motions, names[0]).velocity,
+                       motion_of(motions, names[1]).velocity}};
     pair.reach =
         (Box<dim>::around(parts.mesh.nodes).high - Box<dim>::around(parts.mesh.nodes).low).norm();
     pair.boundary = {pair.slave, pair.master};

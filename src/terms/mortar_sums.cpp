@@ -57,10 +57,12 @@ void MortarTerm<dim>::add_facets(const Evaluation<dim>& at, Surfaces& result) co
       SideState& state = result.sides[facet.sides[a]];
       state.area += result.facets.back().D[a];
       state.gap += result.facets.back().gap[a];
-      if (!state_.path) continue;
-      for (const auto& covering : result.facets.back().masters)
-        state.covering +=
-            (covering.M.row(a) * labels_of(at, facet.pair, covering.facet)).transpose();
+    }
+    if (!state_.path) continue;
+    for (const auto& covering : result.facets.back().masters) {
+      const FacetNodal<dim> shared = covering.M * labels_of(at, facet.pair, covering.facet);
+      for (int a = 0; a < corners; ++a)
+        result.sides[facet.sides[a]].covering += shared.row(a).transpose();
     }
   }
 }

@@ -187,9 +187,8 @@ private:
 
   /// Whether the row of lambda is that of the gap: a node that nothing covers has none.
   static bool holds_gap(const SideState& state) { return state.active && state.area > 0; }
-  int friction_switches() const { return state_.path ? 1 : 0; }
-  /// Of a side: of contact, of friction, then those of its wear law.
-  int contact_switches(const Side& side) const { return side.slave ? 1 + friction_switches() : 0; }
+  /// Of contact and, where it may stick, of friction: before those of the wear law of a side.
+  int contact_switches(const Side& side) const { return side.slave ? (state_.path ? 2 : 1) : 0; }
   const ContactPatch<dim>& patch(const Side& side) const { return state_.patches[side.node]; }
   const MortarPair<dim>& pair(const Side& side) const { return state_.pairs[side.pair]; }
   const BodyPlace<dim>& place(const Side& side) const { return places_[side.pair].of[!side.slave]; }
