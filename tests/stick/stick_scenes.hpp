@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 
 #include "part/part_scene.hpp"
 
@@ -84,6 +85,13 @@ Physical Curve("bottom") = {1}; Physical Curve("top") = {3}; Physical Surface("b
   void expect_refused(const std::string& text, const Overrides& overrides,
                       const std::string& part) const {
     EXPECT_THAT(refusal(text, overrides), ::testing::HasSubstr(part));
+  }
+  /// Elastic slip takes away its part of the stroke, of first order in their ratio. `kept`: the
+  /// wear with an amplitude by that of gross sliding.
+  static void expect_loss_of_first_order(const std::function<double(double amplitude)>& kept) {
+    const double lost = 1 - kept(0.004), of_twice = 1 - kept(0.008);
+    EXPECT_GT(of_twice, 0.01);
+    EXPECT_NEAR(lost / of_twice, 2, 0.1);
   }
   /// The reason why a scene has no start; empty: it has one.
   std::string failed_start(const std::string& text, const Overrides& overrides) const {
