@@ -208,6 +208,8 @@ std::vector<std::string> unused_wear_names(const Scene& scene) {
   for (const std::string& name : scene.chosen_names("wear.constants.*"))
     if (!used.contains(name)) unused.push_back("wear.constants." + name);
   for (const std::string& text : cycle_expressions(scene)) used.merge(tokens_in(text));
+  const std::string factor = "friction.factor";
+  if (scene.knows(factor) && scene.given(factor)) used.merge(tokens_in(scene.text(factor)));
   for (const std::string& name : scene.chosen_names("tables.*.x"))
     if (!used.contains(name)) unused.push_back("tables." + name);
   return unused;

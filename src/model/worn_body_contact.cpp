@@ -102,7 +102,8 @@ StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nomina
                         .rho = assembly_->interface.rho,
                         .interval = {},
                         .share = phases_[p].interval / phases_[p].weight,
-                        .period = period};
+                        .period = period,
+                        .factor = assembly_->interface.friction_factor};
   state.interval.assign(assembly_->contact_nodes.size(), phases_[p].interval * period);
   for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
     state.before.push_back({p == 0
@@ -127,7 +128,8 @@ MortarPath<dim> WornBodyEquations<dim>::mortar_path(std::size_t p) const {
                        .rho = assembly_->interface.rho,
                        .interval = std::vector<double>(count, phases_[p].interval * period),
                        .share = phases_[p].interval / phases_[p].weight,
-                       .period = period};
+                       .period = period,
+                       .factor = assembly_->interface.friction_factor};
   for (std::size_t c = 0; c < count; ++c)
     path.before.push_back({{p == 0 ? fields.memory : fields_[p - 1].place, Eigen::Index(c)}});
   return path;
@@ -145,7 +147,8 @@ MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
                        .passed = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
                        .lambda_before = fields().lambda,
                        .rho = rho_of_rolling(*assembly_, upstream),
-                       .interval = std::vector<double>(count, 1)};
+                       .interval = std::vector<double>(count, 1),
+                       .factor = assembly_->interface.friction_factor};
   for (const MortarPair<dim>& pair : assembly_->pairs) {
     const std::set<int> slaves = nodes_of_facets(pair.slave);
     for (const Upstream& at : upstream) {
@@ -176,6 +179,7 @@ StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) cons
       .lambda_before = fields().lambda,
       .rho = rho_of_rolling(*assembly_, upstream),
       .interval = std::vector<double>(count, 1),
+      .factor = assembly_->interface.friction_factor,
       .rolling = rolling};
   for (const Upstream& at : upstream) {
     const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));

@@ -6,6 +6,7 @@
 
 #include "part/bodies.hpp"
 #include "part/body_meshes.hpp"
+#include "part/changing_friction.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/pairs.hpp"
@@ -66,6 +67,7 @@ std::vector<Key> own_keys() {
        .default_value = false,
        .help = "contact may stick in a part of the cycle, as in fretting: its phases are then a "
                "path (docs/fretting.md)"},
+      friction_factor_key(),
       text_key("model.plane", by_default("strain"),
                "what a mesh in the plane is a section of: plane strain, or a body of revolution "
                "about x = 0, in coordinates (r, z)",

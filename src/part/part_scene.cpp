@@ -14,6 +14,7 @@
 #include "model/rigid_balance.hpp"
 #include "part/bodies.hpp"
 #include "part/body_meshes.hpp"
+#include "part/changing_friction.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
@@ -232,6 +233,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   if (motion.rolling) parts.interface.rolling->linear = has_small_strains(parts.bodies);
   for (Surface<dim>& surface : parts.interface.surfaces)
     if (motion.rolling) surface.track = read_track(scene, surface, parts);
+  parts.interface.friction_factor = read_friction_factor(scene, parts);
   if (!motion.phases) return parts;
   parts.cycle = motion.phases->contact;
   parts.phases = motion.phases->phases;

@@ -33,6 +33,19 @@ Eigen::MatrixXd MortarTerm<dim>::by_parts(int contact_node, const Eigen::MatrixX
 }
 
 template <int dim>
+StickingParameters MortarTerm<dim>::sticking_parameters(const Evaluation<dim>& at,
+                                                        const Side& side) const {
+  const MortarPath<dim>& path = *state_.path;
+  const auto factor = path.factor.at(path.factor.varies() ? depth(at, side) : 0, moment(at),
+                                     initial_position_of<dim>(patch(side)));
+  return {.friction = pair(side).friction * factor.value,
+          .friction_by_depth = pair(side).friction * factor.by_depth,
+          .rho = path.rho,
+          .interval = path.interval[side.node],
+          .rubs = !path.before[side.node].empty()};
+}
+
+template <int dim>
 StickingInput<dim> MortarTerm<dim>::sticking_input(const Evaluation<dim>& at, const Side& side,
                                                    const Vector<dim>& normal) const {
   const MortarPath<dim>& path = *state_.path;
@@ -118,6 +131,8 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
     by_nodes.middleCols(dim * p, dim) = by;
     by_nodes.middleCols(dim * (count + p), dim) = by;
   }
+  by_nodes.middleCols(dim * count, dim) -=
+      sticking.constraint_by_depth * of.initial_normal.transpose();
   add(rows, numbers_of(of.nodes, false), by_nodes, values);
   const double rate = 1 / state_.path->period;
   const auto put = [&](int row, int column, double value) {
@@ -139,6 +154,8 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
 template FacetNodal<2> MortarTerm<2>::labels_of(const Evaluation<2>&, int, int) const;
 template StickingInput<2> MortarTerm<2>::sticking_input(const Evaluation<2>&, const Side&,
                                                         const Vector<2>&) const;
+template StickingParameters MortarTerm<2>::sticking_parameters(const Evaluation<2>&,
+                                                               const Side&) const;
 template Vector<2> MortarTerm<2>::before(const Evaluation<2>&, int) const;
 template Eigen::MatrixXd MortarTerm<2>::by_parts(int, const Eigen::MatrixXd&) const;
 template NodalField<2> MortarTerm<2>::places(const Evaluation<2>&) const;
@@ -150,6 +167,8 @@ template void MortarTerm<2>::add_path(const Side&, const SideState&, double,
 template FacetNodal<3> MortarTerm<3>::labels_of(const Evaluation<3>&, int, int) const;
 template StickingInput<3> MortarTerm<3>::sticking_input(const Evaluation<3>&, const Side&,
                                                         const Vector<3>&) const;
+template StickingParameters MortarTerm<3>::sticking_parameters(const Evaluation<3>&,
+                                                               const Side&) const;
 template Vector<3> MortarTerm<3>::before(const Evaluation<3>&, int) const;
 template Eigen::MatrixXd MortarTerm<3>::by_parts(int, const Eigen::MatrixXd&) const;
 template NodalField<3> MortarTerm<3>::places(const Evaluation<3>&) const;

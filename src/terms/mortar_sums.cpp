@@ -67,6 +67,18 @@ void MortarTerm<dim>::add_facets(const Evaluation<dim>& at, Surfaces& result) co
   }
 }
 
+/// h of a contact node.
+template <int dim>
+double MortarTerm<dim>::depth(const Evaluation<dim>& at, const Side& side) const {
+  const ContactPatch<dim>& own = patch(side);
+  return (own.initial_position - undeformed(at, own.node)).dot(own.initial_normal);
+}
+
+template <int dim>
+WearMoment MortarTerm<dim>::moment(const Evaluation<dim>& at) const {
+  return {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within};
+}
+
 /// What a slave node presses with, and whether it slides.
 template <int dim>
 void MortarTerm<dim>::find_traction(const Evaluation<dim>& at, const Side& side,
@@ -79,10 +91,8 @@ void MortarTerm<dim>::find_traction(const Evaluation<dim>& at, const Side& side,
   if (state_.path) {
     const std::optional<bool> given =
         at.branch.empty() ? std::nullopt : std::optional(at.branch[side.first_switch + 1] != 0);
-    state.sticking.emplace(
-        StickingParameters{pair(side).friction, state_.path->rho, state_.path->interval[side.node],
-                           !state_.path->before[side.node].empty()},
-        sticking_input(at, side, state.normal->value), holds_gap(state), given);
+    state.sticking.emplace(sticking_parameters(at, side),
+                           sticking_input(at, side, state.normal->value), holds_gap(state), given);
     state.traction = state.sticking->traction;
     for (Eigen::RowVectorXd* by : {&state.traction.pressure_by_own, &state.traction.speed_by_own})
       *by = by_parts(side.node, *by);
@@ -128,11 +138,9 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
   const PatchNodal<dim> X = positions(at, own, nullptr);
   const double friction = pair(side).friction, speed = state.speed();
   const double p = state.pressure();
-  const double depth = (own.initial_position - X.row(0).transpose()).dot(own.initial_normal);
-  const WearMoment moment{.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within};
-  state.rate =
-      law(side).rate(wear_input(own, Vector<4>(p, speed, depth, friction * p * speed), moment),
-                     law_branch(at, side));
+  state.rate = law(side).rate(
+      wear_input(own, Vector<4>(p, speed, depth(at, side), friction * p * speed), moment(at)),
+      law_branch(at, side));
   const double share = state_.path ? state_.path->share : 1;
   for (double* of : {&state.rate.value, &state.rate.by_pressure, &state.rate.by_speed,
                      &state.rate.by_depth, &state.rate.by_friction_power})
@@ -188,11 +196,9 @@ void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> val
     }
     if (law(side).kinks() == 0) continue;
     const double p = state.pressure(), v = state.speed();
-    const double depth = (patch(side).initial_position - undeformed(at, patch(side).node))
-                             .dot(patch(side).initial_normal);
     law(side).switching(
-        wear_input(patch(side), Vector<4>(p, v, depth, pair(side).friction * p * v),
-                   {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within}),
+        wear_input(patch(side), Vector<4>(p, v, depth(at, side), pair(side).friction * p * v),
+                   moment(at)),
         own.subspan(contact_switches(side)), law_branch(at, side));
   }
 }
@@ -219,6 +225,7 @@ std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) 
                          .value;
     if (state.sticking) {
       node.slip = state.sticking->slip;
+      node.friction = state.sticking->friction;
       node.sticks = state.sticking->sticks;
     }
     if (state.direction)
@@ -236,6 +243,8 @@ template Vector<2> MortarTerm<2>::undeformed(const Evaluation<2>&, int) const;
 template Vector<2> MortarTerm<2>::current(const Evaluation<2>&, int, const BodyPlace<2>&) const;
 template std::pair<FacetPair<2>, std::vector<FacetNodal<2>>> MortarTerm<2>::places_of(
     const SlaveFacet&, const Evaluation<2>&, const Surfaces&) const;
+template double MortarTerm<2>::depth(const Evaluation<2>&, const Side&) const;
+template WearMoment MortarTerm<2>::moment(const Evaluation<2>&) const;
 template MortarTerm<2>::Surfaces MortarTerm<2>::surfaces(const Evaluation<2>&) const;
 template void MortarTerm<2>::switching(const Evaluation<2>&, std::span<double>) const;
 template std::vector<ContactNode<2>> MortarTerm<2>::nodes(const Evaluation<2>&) const;
@@ -243,6 +252,8 @@ template Vector<3> MortarTerm<3>::undeformed(const Evaluation<3>&, int) const;
 template Vector<3> MortarTerm<3>::current(const Evaluation<3>&, int, const BodyPlace<3>&) const;
 template std::pair<FacetPair<3>, std::vector<FacetNodal<3>>> MortarTerm<3>::places_of(
     const SlaveFacet&, const Evaluation<3>&, const Surfaces&) const;
+template double MortarTerm<3>::depth(const Evaluation<3>&, const Side&) const;
+template WearMoment MortarTerm<3>::moment(const Evaluation<3>&) const;
 template MortarTerm<3>::Surfaces MortarTerm<3>::surfaces(const Evaluation<3>&) const;
 template void MortarTerm<3>::switching(const Evaluation<3>&, std::span<double>) const;
 template std::vector<ContactNode<3>> MortarTerm<3>::nodes(const Evaluation<3>&) const;

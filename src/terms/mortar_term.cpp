@@ -193,6 +193,8 @@ void MortarTerm<dim>::declare(TermStructure& structure) const {
     for (const double t : law.breakpoints()) structure.breakpoints.push_back(t);
     for (const double t : law.stops()) structure.stops.push_back(t);
   }
+  if (!state_.path) return;
+  for (const double t : state_.path->factor.breakpoints()) structure.breakpoints.push_back(t);
 }
 
 template <int dim>

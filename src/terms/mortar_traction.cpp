@@ -20,9 +20,9 @@ MortarTraction<dim>::MortarTraction(const SlidingTraction<dim>& sliding, double 
 
 namespace {
 
-/// Own unknowns and the normal.
+/// Own unknowns, the normal, and the depth.
 template <int dim>
-inline constexpr int variables = StickingTraction<dim>::own + dim;
+inline constexpr int variables = StickingTraction<dim>::own + dim + 1;
 template <int dim>
 using Number = Eigen::AutoDiffScalar<Eigen::Matrix<double, variables<dim>, 1>>;
 
@@ -51,13 +51,15 @@ StickingTraction<dim>::StickingTraction(const StickingParameters& parameters,
   const Vector<dim, Scalar> own_traction = independent(at.traction), place = independent(at.place);
   const Scalar lambda_before = independent(at.lambda_before);
   const Vector<dim, Scalar> before = independent(at.before), n = independent(at.normal);
+  const Scalar depth = independent(0.0), coefficient = Scalar(parameters.friction) +
+                                                       Scalar(parameters.friction_by_depth) * depth;
 
   const Vector<dim, Scalar> lambda_T = at.turn[0].template cast<Scalar>() * own_traction,
                             moved = at.turn[1].template cast<Scalar>() * (place - before),
                             along = moved - n * n.dot(moved);
-  const StickFriction<dim, Scalar> friction(
-      lambda_T, along, n, closed ? Scalar(Scalar(-parameters.friction) * lambda) : Scalar(0),
-      parameters.rho, closed && parameters.rubs, given);
+  const StickFriction<dim, Scalar> friction(lambda_T, along, n,
+                                            closed ? Scalar(-coefficient * lambda) : Scalar(0),
+                                            parameters.rho, closed && parameters.rubs, given);
   const Vector<dim, Scalar> back =
       at.turn[0].transpose().template cast<Scalar>() * friction.constraint;
   const Scalar square = along.squaredNorm();
@@ -66,6 +68,7 @@ StickingTraction<dim>::StickingTraction(const StickingParameters& parameters,
   if (closed && at.lambda < 0) pressure -= Scalar(0.5) * lambda;
   if (lambda_before < Scalar(0)) pressure -= Scalar(0.5) * lambda_before;
 
+  this->friction = parameters.friction;
   sticks = friction.sticks;
   excess = friction.excess;
   slip = at.turn[0].transpose() * plain(along);
@@ -73,13 +76,14 @@ StickingTraction<dim>::StickingTraction(const StickingParameters& parameters,
   for (int i = 0; i < dim; ++i) {
     const auto by = back[i].derivatives().transpose();
     constraint_by_own.row(i) = by.template head<own>();
-    constraint_by_n.row(i) = by.template tail<dim>();
+    constraint_by_n.row(i) = by.template segment<dim>(own);
+    constraint_by_depth[i] = by[own + dim];
   }
   traction.pressure = plain(pressure);
   traction.pressure_by_own = pressure.derivatives().template head<own>().transpose();
   traction.speed = plain(speed);
   traction.speed_by_own = speed.derivatives().template head<own>().transpose();
-  traction.speed_by_n = speed.derivatives().template tail<dim>().transpose();
+  traction.speed_by_n = speed.derivatives().template segment<dim>(own).transpose();
   if (!closed) return;
   traction.value = -at.lambda * at.normal + at.turn[0] * at.traction;
   traction.by_own.col(0) = -at.normal;

@@ -63,9 +63,9 @@ StickTerm<dim>::StickTerm(const StickState<dim>& state, FieldId d, const Numberi
       d_numbers_(numbering.nodal<dim>(d)),
       traction_numbers_(numbering.nodal<dim>(state.traction)) {
   const ContactState<dim>& contact = state.contact;
-  surfaces_.assign(contact.laws.size(),
-                   {contact.parameters, state.rho, state.share,
-                    d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0, state.rolling});
+  surfaces_.assign(contact.laws.size(), {contact.parameters, state.rho, state.share,
+                                         d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0,
+                                         state.factor, state.rolling});
   for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].contact.wear = contact.laws[k];
   if (state.memory != FieldId::none) memory_numbers_ = numbering.nodal<dim>(state.memory);
   for (int c = 0; c < count(); ++c) {
@@ -135,6 +135,7 @@ void StickTerm<dim>::declare(TermStructure& structure) const {
     append(structure.breakpoints, surface.contact.wear.breakpoints());
     append(structure.stops, surface.contact.wear.stops());
   }
+  append(structure.breakpoints, state_.factor.breakpoints());
   for (const Guide<dim>& guide : state_.contact.parameters.counter_body.guides)
     if (guide.travel) append(structure.breakpoints, guide.travel->times());
 }

@@ -285,10 +285,25 @@ TEST_F(PairFretting, WhatDoesNotGoTogetherIsRefused) {
 }
 
 TEST_F(PairFretting, JacobianEqualsFiniteDifferences) {
-  const auto model = this->model(similar(), {"mesh.file=coarse_two.geo", "cycle.phases=3",
-                                             "time.cycles=1e5", "wear.coefficient=2.9e-7"});
+  const auto model =
+      this->model(similar(), {"mesh.file=coarse_two.geo", "cycle.phases=3", "time.cycles=1e5",
+                              "wear.coefficient=2.9e-7", "friction.factor=\"1+h/1e-4+0.1*x0\""});
   const auto [y, branch] = near_the_start(*model);
   check_jacobian(model->system(), 0, y, 0.2, &branch, 3e-5);
+}
+
+TEST_F(PairFretting, AFactorIsAsAnotherCoefficient) {
+  std::vector<double> work;
+  for (const auto& set :
+       {std::vector<std::string>{"pair.1.friction=0.3"}, {"friction.factor=\"0.5\""}}) {
+    std::vector<std::string> all = {"mesh.file=coarse_two.geo", "cycle.phases=4"};
+    all.insert(all.end(), set.begin(), set.end());
+    const auto model = this->model(similar(), all);
+    Counters counters;
+    work.push_back(observed(*model, model->start(counters), "friction_work"));
+  }
+  EXPECT_NEAR(work[1] / work[0], 1, 1e-6);
+  expect_refused(similar(), {"friction.factor=\"2\"", "wear.rate=\"1e-8*q\""}, "expected no q");
 }
 
 /// A cap that rolls on a block, whose material passes at 1000 mm/s.

@@ -16,6 +16,26 @@ TEST_F(Fretting, SpringsWearByTheSlipThatIsLeft) {
   EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / (4e-9 * 20 * slip * 1e6), 1, 1e-5);
 }
 
+/// f0 (1 + h / h0) lets less and less of the amplitude slip: dh/dN = a - b h.
+TEST_F(Fretting, FrictionGrowsWithDepth) {
+  const auto model = this->model(bed(), {"friction.coefficient=0.05", "support.1.stiffness=1e3",
+                                         "friction.factor=\"1 + h/4e-5\""});
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-4, 1e6);
+  const double a = 4e-9 * 20 * 0.009, b = 4e-9 * 20 * 1e-3 / 4e-5;
+  const double depth = a / b * (1 - std::exp(-b * 1e6));
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / depth, 1, 1e-4);
+}
+
+TEST_F(Fretting, FrictionChangesWithTimeAndPlace) {
+  const auto worn = [this](const std::string& factor) {
+    const auto model = this->model(bed(), {"friction.factor=\"" + factor + "\""});
+    const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-4, 1e6);
+    return observed(*model, run.last(), "worn_volume") / (4e-9 * 20 * 1e6);
+  };
+  EXPECT_NEAR(worn("if(t < 3e5, 1, 4)") / (0.3 * 0.009 + 0.7 * 0.006), 1, 1e-4);
+  EXPECT_NEAR(worn("1 + x0") / (0.01 - 1.5 * 0.001), 1, 1e-3);
+}
+
 TEST_F(Fretting, NothingWearsBelowIncipientSliding) {
   const auto model = this->model(bed("x = \"0.0008 * sin(2*pi*tau)\""));
   const ModelRun run = run_model(*model, "bdf", 0, 1e-4, 1e6);
@@ -85,7 +105,10 @@ TEST_F(Fretting, TheLoopHoldsTheWorkOfFriction) {
   const auto model =
       this->model(bed("x = \"0.01 * (1 - 4 * abs(tau - 0.5))\""), {"cycle.phases=20"});
   Counters counters;
-  const ContactSurface surface = model->contact(model->start(counters)).value();
+  const State start = model->start(counters);
+  EXPECT_NEAR(observed(*model, start, "stroke"), 0.02, 1e-12);
+  EXPECT_NEAR(observed(*model, start, "friction_force"), 10, 1e-8);
+  const ContactSurface surface = model->contact(start).value();
   double work = 0, most = 0;
   const std::size_t phases = surface.phase_position.size();
   ASSERT_EQ(surface.phase_loop.size(), 4 * phases);
@@ -148,10 +171,12 @@ TEST_F(Fretting, JacobianEqualsFiniteDifferences) {
   std::string moving = cylinder("x = \"1e-4 * sin(2*pi*tau)\"\nforce = \"20 + 5*cos(2*pi*tau)\"");
   moving.erase(moving.find("force = 18.5\n"), 13);
   moving.replace(moving.find("[[counter_body.press]]"), 22, "[counter_body.press]");
-  for (const std::string& text : {cylinder(), moving}) {
+  const std::string factor = "friction.factor=\"1 + h/1e-4 + x0\"";
+  for (const auto& [text, more] :
+       {std::pair{cylinder(), factor}, std::pair{moving, std::string("friction.factor=\"1\"")}}) {
     const auto model =
         this->model(text, {"mesh.file=coarse.geo", "cycle.phases=3", "time.cycles=1e6",
-                           "wear.coefficient=2.9e-6", "wear.normal=averaged"});
+                           "wear.coefficient=2.9e-6", "wear.normal=averaged", more});
     const auto [y, branch] = near_the_start(*model);
     check_jacobian(model->system(), 0, y, 0.2, &branch, 1e-4);
     for (const AlgebraicStage& stage : model->system().algebraic_stages()) {
@@ -222,6 +247,10 @@ TEST_F(Fretting, WhatDoesNotGoTogetherIsRefused) {
   expect_refused(bed(), {"integrator.name=erk-2"}, "expected an implicit method");
   expect_refused(bed(), {"integrator.name=theta"}, "expected more than 0.5");
   expect_refused(bed(), {"friction.coefficient=0"}, "expected a coefficient above zero");
+  expect_refused(bed(), {"friction.factor=\"1 + p\""}, "got p");
+  expect_refused(bed(), {"friction.factor=\"x0 - 0.5\""}, "zero or more");
+  expect_refused(bed(), {"friction.factor=\"2\"", "wear.rate=\"k*f*p*v\""}, "expected no f");
+  expect_refused(bed(), {"friction.factor=\"2\"", "friction.stick=false"}, "friction.stick");
   expect_refused(bed(), {"cycle.z=\"tau\""}, "stays in the plane");
   expect_refused(bed(), {"cycle.x=\"0.01*tau\""}, "ends where it begins");
   expect_refused(bed("rotation = \"2*pi*tau\""), {"counter_body.motion.center=[0.0, 100.1]"},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/fields/nodal.hpp>
+#include <gnomon/laws/friction_factor.hpp>
 #include <gnomon/laws/load_history.hpp>
 #include <gnomon/mesh/extrusion.hpp>
 #include <gnomon/mesh/surface_lines.hpp>
@@ -129,6 +130,8 @@ struct Interface {
   /// (docs/fretting.md); nothing streams.
   bool sticks = false;
   double friction = 0;  ///< Coulomb's coefficient mu of eq. (10)
+  /// Of the coefficient, also of pairs, where friction may stick.
+  FrictionFactor friction_factor{};
   /// Material streams past the partner, and friction may stick (docs/rolling.md); surfaces without
   /// a track have no friction.
   std::optional<Rolling<dim>> rolling{};

@@ -120,6 +120,7 @@ struct ContactNode {
   Vector<dim> normal = Vector<dim>::Zero();  ///< n of the partner
   /// On the partner, in a phase; only where contact may stick (stick_node.hpp) [length].
   Vector<dim, Scalar> slip = Vector<dim, Scalar>::Zero();
+  double friction = 0;  ///< its coefficient; only where contact may stick
   bool active = false;
   bool sticks = false;  ///< where it may
 
@@ -196,27 +197,40 @@ void require_normal(const ContactPatch<dim>& patch, const Partner<dim>& partner)
 template <int dim>
 void require_direction(const ContactPatch<dim>& patch, const Vector<dim>& normal);
 
+/// h of a contact node [length].
+template <int dim, class Scalar>
+Scalar worn_depth(const ContactPatch<dim>& patch, const PatchNodal<dim, Scalar>& X) {
+  const Vector<dim, Scalar> d =
+      X.row(0).transpose() - patch.initial_position.template cast<Scalar>();
+  return -d.dot(patch.initial_normal.template cast<Scalar>());
+}
+
 /// p, v, h and q of a contact node.
 template <int dim, class Scalar>
 Vector<4, Scalar> wear_variables(const ContactPatch<dim>& patch,
-                                 const ContactInput<dim, Scalar>& at, double friction,
+                                 const ContactInput<dim, Scalar>& at, const Scalar& friction,
                                  const Scalar& pressure, const Scalar& speed) {
-  const Vector<dim, Scalar> d =
-      at.X.row(0).transpose() - patch.initial_position.template cast<Scalar>();
-  const Scalar depth = -d.dot(patch.initial_normal.template cast<Scalar>());
-  return {pressure, speed, depth, Scalar(Scalar(friction) * pressure * speed)};
+  return {pressure, speed, worn_depth<dim, Scalar>(patch, at.X),
+          Scalar(friction * pressure * speed)};
+}
+
+/// With zeros beyond `dim`.
+template <int dim>
+std::array<double, 3> initial_position_of(const ContactPatch<dim>& patch) {
+  std::array<double, 3> result{};
+  std::copy(patch.initial_position.begin(), patch.initial_position.end(), result.begin());
+  return result;
 }
 
 template <int dim>
 WearInput wear_input(const ContactPatch<dim>& patch, const Vector<4>& variables,
                      const WearMoment& moment) {
-  WearInput input{.pressure = variables[0],
-                  .speed = variables[1],
-                  .depth = variables[2],
-                  .friction_power = variables[3],
-                  .moment = moment};
-  std::copy(patch.initial_position.begin(), patch.initial_position.end(), input.initial.begin());
-  return input;
+  return {.pressure = variables[0],
+          .speed = variables[1],
+          .depth = variables[2],
+          .friction_power = variables[3],
+          .moment = moment,
+          .initial = initial_position_of<dim>(patch)};
 }
 
 template <int dim, class Scalar>
@@ -255,8 +269,8 @@ ContactKinematics<dim, Scalar>::ContactKinematics(const ContactParameters<dim>& 
       sliding(relative, normal, lift(partner.across, partner.across_by, z),
               velocity_variance<dim>(patch, partner.velocity_by.template leftCols<dim>(),
                                      partner.across_by.template head<dim>().transpose())),
-      wear(wear_variables<dim, Scalar>(patch, at, parameters.friction, Scalar(-contact.traction),
-                                       sliding.speed)) {}
+      wear(wear_variables<dim, Scalar>(patch, at, Scalar(parameters.friction),
+                                       Scalar(-contact.traction), sliding.speed)) {}
 
 template <int dim, class Scalar>
 ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,

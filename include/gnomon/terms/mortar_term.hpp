@@ -29,6 +29,7 @@
 #pragma once
 
 #include <algorithm>
+#include <gnomon/laws/friction_factor.hpp>
 #include <gnomon/terms/contact_nodes.hpp>
 #include <gnomon/terms/mortar_facet.hpp>
 #include <gnomon/terms/mortar_pair.hpp>
@@ -56,6 +57,7 @@ struct MortarPath {
   std::vector<double> interval{};         ///< of each contact node, since the place before [time]
   double share = 1;                       ///< StickParameters::share
   double period = 1;                      ///< of the cycle [time]
+  FrictionFactor factor{};                ///< of the coefficients of friction, by the slave
 };
 
 /// All pairs of an assembly in one contact state. The referenced objects must outlive the term.
@@ -164,6 +166,9 @@ private:
   void find_wear(const Evaluation<dim>& at, const Side& side, SideState& state) const;
   void add_side(const Side& side, const SideState& state, std::span<double> values) const;
   void declare_path(const Side& side, PatternBuilder& pattern) const;
+  double depth(const Evaluation<dim>& at, const Side& side) const;
+  WearMoment moment(const Evaluation<dim>& at) const;
+  StickingParameters sticking_parameters(const Evaluation<dim>& at, const Side& side) const;
   StickingInput<dim> sticking_input(const Evaluation<dim>& at, const Side& side,
                                     const Vector<dim>& normal) const;
   /// r before, of a contact node.

@@ -44,10 +44,11 @@ struct StickingInput {
 
 /// Of one pair.
 struct StickingParameters {
-  double friction = 0;  ///< Coulomb's coefficient
-  double rho = 1;       ///< of lambda_T [stress / length]
-  double interval = 1;  ///< since the place before [time]
-  bool rubs = true;     ///< else it has no friction: where it comes from is not known
+  double friction = 0;           ///< Coulomb's coefficient
+  double friction_by_depth = 0;  ///< of the slave node [1 / length]
+  double rho = 1;                ///< of lambda_T [stress / length]
+  double interval = 1;           ///< since the place before [time]
+  bool rubs = true;              ///< else it has no friction: where it comes from is not known
 };
 
 /// The traction is lambda n_p + lambda_T, n_p = -n, where the slip since the phase before is
@@ -60,7 +61,9 @@ struct StickingTraction {
   Vector<dim> constraint;  ///< C of lambda_T, in the frame of the slave [length]
   Eigen::Matrix<double, dim, own> constraint_by_own;
   Tensor<dim> constraint_by_n;
-  Vector<dim> slip;  ///< in the frame of the slave [length]
+  Vector<dim> constraint_by_depth;
+  Vector<dim> slip;     ///< in the frame of the slave [length]
+  double friction = 0;  ///< its coefficient
   bool sticks = false;
   double excess = 0;  ///< |T^| - r, of the switching function [stress]
 

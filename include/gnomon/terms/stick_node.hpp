@@ -21,6 +21,7 @@
 // where it does not stick; what else a node has is that of contact_node.hpp.
 #pragma once
 
+#include <gnomon/laws/friction_factor.hpp>
 #include <gnomon/laws/stick_friction.hpp>
 #include <gnomon/terms/contact_node.hpp>
 #include <gnomon/terms/rolling.hpp>
@@ -50,6 +51,7 @@ struct StickParameters {
   /// the rate over the interval times this.
   double share = 1;
   bool shape_is_unknown = true;  ///< else a node may touch where it could not wear
+  FrictionFactor factor{};       ///< of contact.friction
   std::optional<Rolling<dim>> rolling{};
 };
 
@@ -111,6 +113,19 @@ Vector<dim, Scalar> moved_partner(const StickParameters<dim>& parameters,
   return moved;
 }
 
+/// Coulomb's coefficient at the node.
+template <int dim, class Scalar>
+Scalar friction_at(const StickParameters<dim>& parameters, const ContactPatch<dim>& patch,
+                   const ContactInput<dim, Scalar>& at) {
+  const double coefficient = parameters.contact.friction;
+  if (!parameters.factor.varies()) return Scalar(coefficient);
+  const Scalar depth = worn_depth<dim, Scalar>(patch, at.X);
+  const auto factor =
+      parameters.factor.at(plain(depth), at.moment, initial_position_of<dim>(patch));
+  return Scalar(coefficient) *
+         lift(factor.value, Vector<1>(factor.by_depth), Vector<1, Scalar>(depth));
+}
+
 template <int dim, class Scalar>
 StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
                                   const ContactPatch<dim>& patch, const StickInput<dim, Scalar>& at,
@@ -129,9 +144,10 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
     moved -= N * N.dot(moved);
   }
   const Vector<dim, Scalar> slip = moved - met.normal * met.normal.dot(moved);
+  const Scalar coefficient = friction_at(parameters, patch, at.contact);
   const StickFriction<dim, Scalar> friction(
-      at.traction, slip, met.normal, Scalar(Scalar(-of.friction) * met.contact.traction),
-      parameters.rho, met.contact.active && at.rubs, branch.sticks);
+      at.traction, slip, met.normal, Scalar(-coefficient * met.contact.traction), parameters.rho,
+      met.contact.active && at.rubs, branch.sticks);
   constraint = friction.constraint;
   switching = {plain(Scalar(at.contact.lambda + Scalar(of.rho) * met.gap)), friction.excess};
 
@@ -146,13 +162,14 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
     contact.partner[k] = -along_guide<dim>(of, met, k).template cast<Scalar>().dot(contact.force);
   contact.slip = slip;
+  contact.friction = plain(coefficient);
   contact.sticks = friction.sticks;
 
   const Scalar square = slip.squaredNorm();
   Scalar speed(0), pressure = Scalar(-0.5) * met.contact.traction;
   if (!friction.sticks && square > Scalar(0)) speed = sqrt(square) / Scalar(at.interval);
   if (at.lambda_before < Scalar(0)) pressure -= Scalar(0.5) * at.lambda_before;
-  wear = wear_variables<dim, Scalar>(patch, at.contact, of.friction, pressure, speed);
+  wear = wear_variables<dim, Scalar>(patch, at.contact, coefficient, pressure, speed);
   contact.wear_rate = Scalar(0);
   if (plain(pressure) > 0) {
     const WearRate rate =

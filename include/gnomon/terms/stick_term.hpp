@@ -34,6 +34,7 @@ struct StickState {
   std::vector<double> interval;    ///< of each contact node, since the place before [time]
   double share = 1;                ///< StickParameters::share
   double period = 1;               ///< of the cycle [time]
+  FrictionFactor factor{};         ///< of the coefficient of friction
   std::optional<Rolling<dim>> rolling{};
 };
 

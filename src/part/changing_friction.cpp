@@ -1,0 +1,83 @@
+#include "part/changing_friction.hpp"
+
+#include <fmt/format.h>
+
+#include <gnomon/model/wear_scene.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
+
+#include "expressions/expression_tables.hpp"
+#include "expressions/expression_text.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+const std::string key = "friction.factor";
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& expected) {
+  throw InputError(scene.where(key) + ": expected " + expected);
+}
+
+WearLaw factor_by_text(const Scene& scene, double nominal_speed) {
+  ExpressionNames names;
+  names.variables = wear_law_variables();
+  add_tables(scene, names);
+  try {
+    const Expression factor(scene.text(key), names);
+    const auto used = tokens_in(factor.text());
+    for (const char* name : {"p", "v", "q"})
+      if (used.contains(name))
+        refuse(scene, fmt::format("a function of h, t, s, x0, y0, z0, got {}", name));
+    return expression_wear_law(factor, scene.real("time.end"), nominal_speed);
+  } catch (const ExpressionError& error) {
+    throw InputError(scene.where(key) + ": " + error.what());
+  }
+}
+
+/// Where nothing is worn, at some times.
+template <int dim>
+void require_values(const Scene& scene, const FrictionFactor& factor,
+                    const AssemblyParts<dim>& parts) {
+  const double end = scene.real("time.end");
+  try {
+    for (const ContactPatch<dim>& patch : contact_nodes_of(parts))
+      for (const double part : {0.0, 0.01, 0.1, 0.5, 1.0})
+        factor.at(
+            0,
+            {.time = part * end, .slid = *parts.interface.speed * part * end, .within = part * end},
+            initial_position_of<dim>(patch));
+  } catch (const RecoverableError& error) {
+    throw InputError(scene.where(key) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+Key friction_factor_key() {
+  return text_key(key, absent("1"),
+                  "factor of the coefficient of friction where it may stick: an expression of the "
+                  "depth h, time t, sliding distance s and initial position x0 y0 z0 (of pairs, "
+                  "those of the slave) and of tables");
+}
+
+template <int dim>
+FrictionFactor read_friction_factor(const Scene& scene, const AssemblyParts<dim>& parts) {
+  if (!scene.given(key)) return {};
+  if (!parts.interface.sticks && !parts.interface.rolling)
+    refuse(scene, "friction.stick = true, or [rolling], beside it");
+  if (reads_in_rates(scene, "f"))
+    throw InputError(scene.where("wear.rate") +
+                     ": expected no f beside friction.factor: q is f p v with its factor");
+  if (!parts.pairs.empty() && reads_in_rates(scene, "q"))
+    throw InputError(scene.where("wear.rate") +
+                     ": expected no q beside friction.factor in a [[pair]], since both of its "
+                     "surfaces would need the factor of the other one");
+  FrictionFactor factor(factor_by_text(scene, *parts.interface.speed));
+  require_values(scene, factor, parts);
+  return factor;
+}
+
+template FrictionFactor read_friction_factor(const Scene&, const AssemblyParts<2>&);
+template FrictionFactor read_friction_factor(const Scene&, const AssemblyParts<3>&);
+
+}  // namespace gnomon::part
