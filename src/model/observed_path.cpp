@@ -38,58 +38,42 @@ std::vector<char> in_loop(const Assembly<dim>& assembly) {
   return result;
 }
 
-/// How far the master of the first pair has moved, in the frame of the slave, where they slide.
+/// How far the partner has moved, the master of the first pair in the frame of the slave, where
+/// they slide.
 template <int dim>
 Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase) {
   CyclicMotion<dim> motion = assembly.cycle->motion;
-  motion.sliding = assembly.pairs.front().numbers;  // the slave may be the second in the scene
+  // The slave may be the second in the scene.
+  if (!assembly.pairs.empty()) motion.sliding = assembly.pairs.front().numbers;
   return carried_by(motion, assembly.interface.partner, phase, motion.point);
 }
 
 }  // namespace
 
 template <int dim>
-void WearModel<dim>::add_path(const FieldValues<dim>& values, double t, std::size_t p,
-                              const std::vector<ContactNode<dim>>& nodes,
-                              ContactSurface& surface) const {
-  add_friction(nodes, surface);
+std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
+    const FieldValues<dim>& values, double t, const std::vector<PhaseContact<dim>>& phases) const {
   const std::vector<char> counts = in_loop(assembly());
-  Vector<dim> force = Vector<dim>::Zero();
-  for (std::size_t c = 0; c < nodes.size(); ++c)
-    if (counts[c]) force -= assembly().copies * nodes[c].force;
-  for (int i = 0; i < dim; ++i) force[i] = sum_over_processes(force[i]);
-  const Phase<dim>& phase = equations_.phases()[p];
-  Vector<dim> place =
-      assembly().pairs.empty()
-          ? Vector<dim>(phase.counter_body.position - assembly().interface.partner.position)
-          : place_in_loop(assembly(), phase);
-  const PartnerMotion<> q = equations_.partner_motion(values, t, p);
-  for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
-    place += q[static_cast<Eigen::Index>(k)] * phase.counter_body.guides[k].along;
-  append<dim>(surface.phase_loop, place);
-  append<dim>(surface.phase_loop, force);
+  std::vector<PlaceAndForce<dim>> result;
+  for (std::size_t p = 0; p < phases.size(); ++p) {
+    const Phase<dim>& phase = equations_.phases()[p];
+    PlaceAndForce<dim>& point = result.emplace_back();
+    point.place = place_in_loop(assembly(), phase);
+    for (std::size_t c = 0; c < counts.size(); ++c)
+      if (counts[c]) point.force -= assembly().copies * phases[p].nodes[c].force;
+    for (int i = 0; i < dim; ++i) point.force[i] = sum_over_processes(point.force[i]);
+    const PartnerMotion<> q = equations_.partner_motion(values, t, p);
+    for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
+      point.place += q[static_cast<Eigen::Index>(k)] * phase.counter_body.guides[k].along;
+  }
+  return result;
 }
-
-namespace {
-
-/// Coulomb's coefficient by contact node.
-template <int dim>
-std::vector<double> friction_at(const Assembly<dim>& assembly) {
-  std::vector<double> friction(assembly.contact_nodes.size(), assembly.interface.friction);
-  for (const MortarPair<dim>& pair : assembly.pairs)
-    for (const int node : nodes_of_facets(pair.slave))
-      friction[static_cast<std::size_t>(assembly.contact_node(node))] = pair.friction;
-  return friction;
-}
-
-}  // namespace
 
 template <int dim>
 CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
                           const std::vector<PhaseContact<dim>>& phases) {
   constexpr double creeping = 1e-3;  // of the longest path: a node at its limit of friction
   CycleOfSlip result;
-  const std::vector<double> friction = friction_at(assembly);
   std::vector<double> paths, areas;  // of the nodes that touch
   for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c) {
     if (!assembly.carries[c]) continue;
@@ -101,7 +85,7 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
       touches = touches || now.active;
       if (now.sticks || !(now.active || before.active)) continue;
       path += now.slip.norm();
-      result.work -= assembly.copies * now.area * friction[c] * now.slip.norm() *
+      result.work -= assembly.copies * now.area * now.friction * now.slip.norm() *
                      (now.traction + before.traction) / 2;
     }
     if (!touches) continue;
@@ -117,13 +101,37 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
   return {sum_over_processes(result.work), result.path, sum_over_processes(result.stick_area)};
 }
 
+template <int dim>
+void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<dim>>& phases,
+                  const std::vector<PlaceAndForce<dim>>& loop, int units, Observation& observed) {
+  const Vector<dim>& normal = assembly.pairs.empty() ? assembly.interface.partner.approach
+                                                     : assembly.pairs.front().approach;
+  const auto along = [&](const Vector<dim>& v) { return (v - normal * normal.dot(v)).norm(); };
+  double stroke = 0, force = 0;
+  for (const PlaceAndForce<dim>& at : loop) {
+    force = std::max(force, along(at.force));
+    for (const PlaceAndForce<dim>& other : loop)
+      stroke = std::max(stroke, along(at.place - other.place));
+  }
+  const CycleOfSlip slip = cycle_of_slip(assembly, phases);
+  observed.push_back(common("friction_work", slip.work, units));
+  observed.push_back(common("slip_path", slip.path, units));
+  observed.push_back(common("stick_area", slip.stick_area, units));
+  observed.push_back(common("stroke", stroke));
+  observed.push_back(common("friction_force", force, units));
+}
+
 template void add_friction(const std::vector<ContactNode<2>>&, ContactSurface&);
 template void add_friction(const std::vector<ContactNode<3>>&, ContactSurface&);
 template CycleOfSlip cycle_of_slip(const Assembly<2>&, const std::vector<PhaseContact<2>>&);
 template CycleOfSlip cycle_of_slip(const Assembly<3>&, const std::vector<PhaseContact<3>>&);
-template void WearModel<2>::add_path(const FieldValues<2>&, double, std::size_t,
-                                     const std::vector<ContactNode<2>>&, ContactSurface&) const;
-template void WearModel<3>::add_path(const FieldValues<3>&, double, std::size_t,
-                                     const std::vector<ContactNode<3>>&, ContactSurface&) const;
+template void observe_path(const Assembly<2>&, const std::vector<PhaseContact<2>>&,
+                           const std::vector<PlaceAndForce<2>>&, int, Observation&);
+template void observe_path(const Assembly<3>&, const std::vector<PhaseContact<3>>&,
+                           const std::vector<PlaceAndForce<3>>&, int, Observation&);
+template std::vector<PlaceAndForce<2>> WearModel<2>::loop(
+    const FieldValues<2>&, double, const std::vector<PhaseContact<2>>&) const;
+template std::vector<PlaceAndForce<3>> WearModel<3>::loop(
+    const FieldValues<3>&, double, const std::vector<PhaseContact<3>>&) const;
 
 }  // namespace gnomon

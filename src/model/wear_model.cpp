@@ -306,12 +306,8 @@ Observation WearModel<dim>::observe(const State& state) const {
   observed.push_back(common("contact_area", area.area, units));
   observed.push_back(common("contact_area_error", area.unknown, units));
   observed.insert(observed.end(), motion.begin(), motion.end());
-  if (assembly().interface.sticks) {
-    const CycleOfSlip slip = cycle_of_slip(assembly(), phases);
-    observed.push_back(common("friction_work", slip.work, units));
-    observed.push_back(common("slip_path", slip.path, units));
-    observed.push_back(common("stick_area", slip.stick_area, units));
-  }
+  if (assembly().interface.sticks)
+    observe_path(assembly(), phases, loop(values, state.t, phases), units, observed);
   if (assembly().interface.rolling)
     observe_rolling(assembly(), equations_.moved_on_partner(values), phases.front().nodes,
                     equations_.partner_motion(values, state.t), units, observed);
@@ -357,16 +353,19 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
                                 ? wear_depth(c, values.vector(equations_.fields().d))
                                 : 0;
   }
-  const bool rolls = assembly().interface.rolling.has_value();
+  const bool rolls = assembly().interface.rolling.has_value(), sticks = assembly().interface.sticks;
   if (phases.size() > 1 || rolls)
     for (std::size_t p = 0; p < phases.size(); ++p) {
       surface.phase_position.push_back(equations_.phases()[p].position);
       surface.phase_weight.push_back(phases[p].weight);
       for (const ContactNode<dim>& contact : phases[p].nodes)
         surface.phase_pressure.push_back(std::max(0.0, -contact.traction));
-      if (assembly().interface.sticks) add_path(values, state.t, p, phases[p].nodes, surface);
-      if (rolls) add_friction(phases[p].nodes, surface);
+      if (sticks || rolls) add_friction(phases[p].nodes, surface);
     }
+  if (!sticks) return surface;
+  for (const auto& [place, force] : loop(values, state.t, phases))
+    for (const Vector<dim>& of : {place, force})
+      surface.phase_loop.insert(surface.phase_loop.end(), of.begin(), of.end());
   return surface;
 }
 

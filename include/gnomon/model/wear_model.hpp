@@ -26,6 +26,19 @@ template <int dim>
 CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
                           const std::vector<PhaseContact<dim>>& phases);
 
+/// Where the partner is in a phase of a path, and the force that moves it.
+template <int dim>
+struct PlaceAndForce {
+  Vector<dim> place = Vector<dim>::Zero();  ///< [length]
+  Vector<dim> force = Vector<dim>::Zero();
+};
+
+/// Appends friction_work, slip_path, stick_area, stroke and friction_force. `units`: the dimension
+/// that they have.
+template <int dim>
+void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<dim>>& phases,
+                  const std::vector<PlaceAndForce<dim>>& loop, int units, Observation& observed);
+
 /// Appends traction and slip of the contact nodes in a phase, or in rolling.
 template <int dim>
 void add_friction(const std::vector<ContactNode<dim>>& nodes, ContactSurface& surface);
@@ -79,9 +92,9 @@ private:
   CounterSurface counter_surface(const State& state) const;
   /// How far the shape of a contact node has moved; where wear is a gap, along its initial normal.
   double wear_depth(std::size_t contact_node, const NodalField<dim>& d) const;
-  /// Of a phase of a path: friction, slip, and where the partner is under which force.
-  void add_path(const FieldValues<dim>& values, double t, std::size_t phase,
-                const std::vector<ContactNode<dim>>& nodes, ContactSurface& surface) const;
+  /// By phase of a path.
+  std::vector<PlaceAndForce<dim>> loop(const FieldValues<dim>& values, double t,
+                                       const std::vector<PhaseContact<dim>>& phases) const;
   /// Of all fields at a state, also of displacements that are condensed.
   FieldValues<dim> values(const State& state) const;
   /// The contact law at every contact node, phase by phase; on the state's own smooth branch.
