@@ -11,7 +11,7 @@ import tempfile
 
 sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
-from figures import errors, parameters, style, work  # noqa: E402
+from figures import errors, fretting_map, parameters, style, work  # noqa: E402
 from figures.complaints import Unsuitable  # noqa: E402
 from figures.study import Run  # noqa: E402
 
@@ -75,3 +75,16 @@ with tempfile.TemporaryDirectory() as folder:
     columns = [{"name": "body.young_modulus", "unit": "MPa"}]
     table.with_suffix(".json").write_text(json.dumps({"columns": columns}))
     assert parameters.draw(table, rows).axes[0].get_xlabel() == "body.young_modulus [MPa]"
+
+# A fretting map: the energy of a parallelogram 2 um wide and 4 N/mm high with a work of 3e-3 N; its runs tell what sticks.
+row = {"status": "finished", "run": "a", "stroke": "2e-3", "friction_force": "2", "friction_work": "3e-3",
+       "stick_area": "0", "contact_force": "10"}
+fretting_map.sticking = lambda path, row: {"a": (1.0, 0.5), "b": (1.0, 0.0), "c": (0.0, 0.0)}[row["run"]]
+for run, name in (("a", "partial slip"), ("b", "mixed"), ("c", "gross slip")):
+    found = fretting_map.point_of(table, row | {"run": run})
+    assert found[2] == name and all(map(math.isclose, (found[0], found[1], found[3]), (1, 10, 0.375))), found
+try:
+    fretting_map.draw(table, rows)
+    raise AssertionError("nothing of it may stick")
+except Unsuitable:
+    pass

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy
 
-from . import critical, cycle, errors, extremes, fretting, groups, history, mesh, output, page, parameters
+from . import critical, cycle, errors, extremes, fretting, fretting_map, groups, history, mesh, output, page, parameters
 from . import pressure, rolling, shape, shapes, spectrum, study, style, surface, tables, wear, work
 from .complaints import BadInput, Unsuitable, reason_of
 from .result import Result
@@ -158,7 +158,9 @@ def draw_study(folder, sink):
     path = folder / "study.csv"
     rows = tables.read(path, study.TEXTS)
     if parameters.of_sweep(rows):
-        sink.draw(f"{file_name(rows[0]['study'])}-parameters", parameters.draw, path, rows)
+        stem = file_name(rows[0]['study'])
+        sink.draw(f"{stem}-parameters", parameters.draw, path, rows)
+        sink.draw(f"{stem}-fretting-map", fretting_map.draw, path, rows)
         return
     runs = study.read(folder)
     for name in study.distinct(run.study for run in runs):
