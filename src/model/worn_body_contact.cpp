@@ -88,6 +88,11 @@ std::vector<MortarCandidates> WornBodyEquations<dim>::candidates_in(const Phase<
   return result;
 }
 
+template <int dim>
+SlipMemory WornBodyEquations<dim>::memory() const {
+  return {fields().memory, memory_before_, assembly_->cycle->motion.cycle.period};
+}
+
 /// Of a phase of a path, after the one before it.
 template <int dim>
 StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nominal_speed) const {
@@ -97,17 +102,16 @@ StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nomina
                         .carried = carried(phases_[p]),
                         .before = {},
                         .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
-                        .memory = fields_[p].memory,
+                        .memory = memory(),
                         .is_last = p + 1 == phases_.size(),
                         .rho = assembly_->interface.rho,
                         .interval = {},
                         .share = phases_[p].interval / phases_[p].weight,
-                        .period = period,
                         .factor = assembly_->interface.friction_factor};
   state.interval.assign(assembly_->contact_nodes.size(), phases_[p].interval * period);
   for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
     state.before.push_back({p == 0
-                                ? PartOfPlace{state.memory, static_cast<Eigen::Index>(c)}
+                                ? PartOfPlace{state.memory.s, static_cast<Eigen::Index>(c)}
                                 : PartOfPlace{fields_[p - 1].u, assembly_->contact_nodes[c].node}});
   if (p == 0) return state;
   state.q_before = fields_[p - 1].w;
@@ -123,12 +127,11 @@ MortarPath<dim> WornBodyEquations<dim>::mortar_path(std::size_t p) const {
   MortarPath<dim> path{.traction = fields.traction,
                        .place = fields.place,
                        .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
-                       .memory = fields.memory,
+                       .memory = memory(),
                        .is_last = p + 1 == phases_.size(),
                        .rho = assembly_->interface.rho,
                        .interval = std::vector<double>(count, phases_[p].interval * period),
                        .share = phases_[p].interval / phases_[p].weight,
-                       .period = period,
                        .factor = assembly_->interface.friction_factor};
   for (std::size_t c = 0; c < count; ++c)
     path.before.push_back({{p == 0 ? fields.memory : fields_[p - 1].place, Eigen::Index(c)}});

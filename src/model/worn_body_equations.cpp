@@ -48,6 +48,11 @@ WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> a
   composition->coarsening = coarsening(*assembly_);
   composition_ = composition;
   composition->stages = {selection(false, true), deformation()};
+  if (memory_before_ == FieldId::none) return;
+  composition->kept = {{fields().memory, memory_before_}};
+  const std::vector<Block>& blocks = composition->fields->blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    if (blocks[b].role == Role::memory) composition->stages.back()[b] = 1;
 }
 
 template <int dim>
@@ -208,7 +213,7 @@ template <int dim>
 BlockSelection WornBodyEquations<dim>::selection(bool deformation, bool mesh_motion) const {
   BlockSelection selected;
   for (const Block& block : composition_->fields->blocks)
-    selected.push_back(block.differential ? 0
+    selected.push_back(block.differential || block.role == Role::memory ? 0
                        : block.role == Role::extension || block.role == Role::reaction
                            ? mesh_motion
                            : deformation);

@@ -218,18 +218,21 @@ void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
 /// s of a path.
 template <int dim>
 void WornBodyEquations<dim>::add_memory(double slip, const Scales& scales, FieldSet& set) {
-  Field memory = contact_vectors(*assembly_,
-                                 {.name = "slip_memory",
-                                  .symbol = "s",
-                                  .where = "contact nodes (differential)",
-                                  .role = Role::memory,
-                                  .differential = true,
-                                  .tolerance_scale = slip / scales.wear_depth},
-                                 set);
+  const bool follows = assembly_->interface.memory_follows;
+  Field memory =
+      contact_vectors(*assembly_,
+                      {.name = "slip_memory",
+                       .symbol = "s",
+                       .where = follows ? "contact nodes" : "contact nodes (differential)",
+                       .role = Role::memory,
+                       .differential = !follows,
+                       .tolerance_scale = slip / scales.wear_depth},
+                      set);
   memory.row_scale.setConstant(slip / assembly_->cycle->motion.cycle.period);
   memory.unknown_scale.setConstant(slip);
   const FieldId s = set.add(std::move(memory));
   for (WornBodyFields& fields : fields_) fields.memory = s;
+  if (follows) memory_before_ = set.add(Field("slip_memory_before", set.fields.back().node, dim));
 }
 
 /// r of each phase, of pairs.

@@ -298,6 +298,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   }
   if (parts.interface.sticks) {
     require_path(scene, parts);
+    parts.interface.memory_follows = memory_follows(scene);
     AssemblyParts<dim> slow = parts;
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
       slow.interface.speed = speed_on_path(slow, magnitudes);

@@ -167,21 +167,23 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
 
 namespace {
 
-/// What slides follows within a cycle, which explicit methods, and those that do not damp, cannot.
+const Integrator& integrator_of(const Scene& scene) {
+  return Registry<Integrator>::find(scene.text("integrator.name"), "integrator");
+}
+
+/// What slides follows within a cycle, which methods that do not damp cannot.
 void require_damping(const Scene& scene) {
-  const Integrator& chosen =
-      Registry<Integrator>::find(scene.text("integrator.name"), "integrator");
-  if (chosen.is_explicit())
-    throw InputError(scene.where("integrator.name") +
-                     ": expected an implicit method beside "
-                     "friction.stick: the memory of slip follows within a cycle");
-  if (chosen.name == "theta" && scene.real("integrator.alpha") <= 0.5)
+  if (integrator_of(scene).name == "theta" && scene.real("integrator.alpha") <= 0.5)
     throw InputError(scene.where("integrator.alpha") +
                      ": expected more than 0.5 beside friction.stick: the trapezoidal rule does "
                      "not damp the memory of slip");
 }
 
 }  // namespace
+
+bool memory_follows(const Scene& scene) {
+  return integrator_of(scene).is_explicit();
+}
 
 template <int dim>
 void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {

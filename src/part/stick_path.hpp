@@ -26,6 +26,9 @@ AssemblyParts<dim> with_chosen_path(const Scene& scene,
 template <int dim>
 double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected);
 
+/// Whether the memory of slip is an algebraic unknown, as explicit methods need it.
+bool memory_follows(const Scene& scene);
+
 /// Throws InputError where parts with friction that may stick have what it does not go with.
 template <int dim>
 void require_path(const Scene& scene, const AssemblyParts<dim>& parts);

@@ -251,6 +251,8 @@ std::vector<AlgebraicStage> ComposedSystem<dim>::algebraic_stages() const {
         if (mine.data()[k] >= 0) stage.unknowns[mine.data()[k]] = whole.data()[k];
     }
     stage.freeze = [this, part = part.get()](double t, std::span<const double> y) {
+      for (const auto& [from, to] : composition_->kept)
+        values_.vector(to) = values(t, y).vector(from);
       part->freeze(values(t, y), t);
     };
     stage.system = std::move(part);

@@ -108,9 +108,8 @@ void MortarTerm<dim>::add_path_residual(const Evaluation<dim>& at, const Side& s
     if (const int row = traction_number(side, i); row >= 0) F[row] += state.sticking->constraint[i];
     if (const int row = place_number(side, i); row >= 0) F[row] += input.place[i] - place[i];
     if (!path.is_last) continue;
-    const double s = at.values.vector(path.memory)(side.node, i);
     if (const int row = memory_numbers_(side.node, i); row >= 0)
-      F[row] += (at.ydot.empty() ? 0 : at.ydot[row]) - (input.place[i] - s) / path.period;
+      F[row] += path.memory.residual(at, side.node, i, row, input.place[i]);
   }
 }
 
@@ -134,7 +133,7 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
   by_nodes.middleCols(dim * count, dim) -=
       sticking.constraint_by_depth * of.initial_normal.transpose();
   add(rows, numbers_of(of.nodes, false), by_nodes, values);
-  const double rate = 1 / state_.path->period;
+  const SlipMemory& memory = state_.path->memory;
   const auto put = [&](int row, int column, double value) {
     add({row}, {column}, Eigen::MatrixXd::Constant(1, 1, value), values);
   };
@@ -146,8 +145,8 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
       put(r, own[before_0 + dim * k + i], -parts[k].factor);
     if (!state_.path->is_last) continue;
     const int s = memory_numbers_(side.node, i);
-    put(s, r, -rate);
-    put(s, s, rate_weight + rate);
+    put(s, r, -1 / memory.period);
+    put(s, s, memory.by_s(rate_weight));
   }
 }
 

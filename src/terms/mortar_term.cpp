@@ -36,7 +36,8 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
             k < parts.size() ? numbering.number(parts[k].field, parts[k].row, i) : -1);
       }
   }
-  if (state.path && state.path->is_last) memory_numbers_ = numbering.nodal<dim>(state.path->memory);
+  if (state.path && state.path->is_last)
+    memory_numbers_ = numbering.nodal<dim>(state.path->memory.s);
   for (const MortarPair<dim>& pair : state.pairs) places_.emplace_back(pair, state.places);
   find_sides();
   find_facets();

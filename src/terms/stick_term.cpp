@@ -67,7 +67,7 @@ StickTerm<dim>::StickTerm(const StickState<dim>& state, FieldId d, const Numberi
                                          d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0,
                                          state.factor, state.rolling});
   for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].contact.wear = contact.laws[k];
-  if (state.memory != FieldId::none) memory_numbers_ = numbering.nodal<dim>(state.memory);
+  if (state.memory.s != FieldId::none) memory_numbers_ = numbering.nodal<dim>(state.memory.s);
   for (int c = 0; c < count(); ++c) {
     std::vector<int>& before = before_numbers_.emplace_back();
     for (const PartOfPlace& part : state.before[c])
@@ -225,10 +225,9 @@ void StickTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F
     for (std::size_t k = 0; k < rows.size(); ++k)
       if (rows[k] >= 0) F[rows[k]] += values[static_cast<Eigen::Index>(k)];
     if (!state_.is_last) continue;
-    const Vector<dim> s = at.values.vector(state_.memory).row(c).transpose();
     for (int i = 0; i < dim; ++i)
       if (const int row = memory_numbers_(c, i); row >= 0)
-        F[row] += (at.ydot.empty() ? 0 : at.ydot[row]) - (met.place[i] - s[i]) / state_.period;
+        F[row] += state_.memory.residual(at, c, i, row, met.place[i]);
   }
 }
 
@@ -287,7 +286,7 @@ void StickTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
     for (std::size_t k = 0; k < map_[c].size(); ++k)
       if (map_[c][k] >= 0) values[map_[c][k]] += K.data()[k];
     if (!state_.is_last) continue;
-    const double rate = 1 / state_.period;
+    const double rate = 1 / state_.memory.period;
     const auto& guides = state_.contact.parameters.counter_body.guides;
     for (int i = 0; i < dim; ++i) {
       const std::vector<int>& map = memory_map_[static_cast<std::size_t>(c * dim + i)];
@@ -295,7 +294,7 @@ void StickTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
         if (map[k] >= 0) values[map[k]] += value;
       };
       add(0, -rate);
-      add(1, rate_weight + rate);
+      add(1, state_.memory.by_s(rate_weight));
       for (std::size_t k = 0; k < guides.size(); ++k) add(2 + k, rate * guides[k].along[i]);
     }
   }

@@ -16,6 +16,8 @@ struct Composition {
   std::vector<PrescribedValues> prescribed;
   /// Blocks of the algebraic stages, in the order in which they are solved.
   std::vector<BlockSelection> stages;
+  /// Fields whose values are kept in another one, without unknowns, whenever a stage is frozen.
+  std::vector<std::pair<FieldId, FieldId>> kept;
   std::vector<std::array<double, 3>> position;  ///< of the mesh nodes, initial [length]
   std::shared_ptr<const std::vector<NodeInterpolation>> coarsening;  ///< as in Structure
   LinearSolverMaker solver;

@@ -35,6 +35,7 @@
 #include <gnomon/terms/mortar_pair.hpp>
 #include <gnomon/terms/mortar_traction.hpp>
 #include <gnomon/terms/places_on_partner.hpp>
+#include <gnomon/terms/slip_memory.hpp>
 #include <optional>
 
 namespace gnomon {
@@ -51,12 +52,11 @@ struct MortarPath {
   NodalField<dim>
       passed{};  ///< in rolling: dt (V^1 - V^2), contact nodes x dim; else empty [length]
   FieldId lambda_before = FieldId::none;  ///< of the phase before, around the cycle
-  FieldId memory = FieldId::none;         ///< s
+  SlipMemory memory{};                    ///< s
   bool is_last = false;                   ///< of its path: it has the rows of s
   double rho = 1;                         ///< of lambda_T [stress / length]
   std::vector<double> interval{};         ///< of each contact node, since the place before [time]
   double share = 1;                       ///< StickParameters::share
-  double period = 1;                      ///< of the cycle [time]
   FrictionFactor factor{};                ///< of the coefficients of friction, by the slave
 };
 

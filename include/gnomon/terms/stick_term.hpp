@@ -4,12 +4,14 @@
 //
 //   sdot - (r - s) / period = 0
 //
-// so that s, the place at the end of a cycle, is that before the first phase of the next one.
+// so that s, the place at the end of a cycle, is that before the first phase of the next one
+// (slip_memory.hpp).
 #pragma once
 
 #include <gnomon/terms/contact_nodes.hpp>
 #include <gnomon/terms/contact_state.hpp>
 #include <gnomon/terms/places_on_partner.hpp>
+#include <gnomon/terms/slip_memory.hpp>
 #include <gnomon/terms/stick_node.hpp>
 
 namespace gnomon {
@@ -28,13 +30,12 @@ struct StickState {
   /// Of the phase before, of the first one that of the last; in rolling, where the pressure does
   /// not change, that of the state.
   FieldId lambda_before = FieldId::none;
-  FieldId memory = FieldId::none;  ///< s, at the contact nodes
-  bool is_last = false;            ///< of its path: it has the rows of s
-  double rho = 1;                  ///< of lambda_T [stress / length]
-  std::vector<double> interval;    ///< of each contact node, since the place before [time]
-  double share = 1;                ///< StickParameters::share
-  double period = 1;               ///< of the cycle [time]
-  FrictionFactor factor{};         ///< of the coefficient of friction
+  SlipMemory memory{};           ///< at the contact nodes
+  bool is_last = false;          ///< of its path: it has the rows of s
+  double rho = 1;                ///< of lambda_T [stress / length]
+  std::vector<double> interval;  ///< of each contact node, since the place before [time]
+  double share = 1;              ///< StickParameters::share
+  FrictionFactor factor{};       ///< of the coefficient of friction
   std::optional<Rolling<dim>> rolling{};
 };
 
