@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/fields/block.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/setup.hpp>
 #include <gnomon/stability/stability.hpp>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -124,10 +126,31 @@ private:
   std::string critical_steps_ = "time,method,critical_step,empirical\n";
 };
 
+/// Whether something follows within a cycle: explicit methods solve for it, others integrate it.
+bool remembers(const Model& model) {
+  const auto& blocks = model.system().structure().blocks;
+  return blocks && std::ranges::any_of(
+                       *blocks, [](const Block& block) { return block.role == Role::memory; });
+}
+
+/// The scene as a method integrates it.
+Setup set_up_for(const StabilityOptions& options, const char* method) {
+  const std::string name = "integrator.name=";
+  std::vector<std::string> overrides = options.overrides;
+  std::erase_if(overrides, [&](const std::string& given) { return given.starts_with(name); });
+  overrides.push_back(name + method);
+  return set_up(options.scene, overrides);
+}
+
 }  // namespace
 
 void stability_command(const StabilityOptions& options) {
-  const Setup setup = set_up(options.scene, options.overrides);
+  Setup setup = set_up(options.scene, options.overrides);
+  std::optional<Setup> explicitly;
+  if (remembers(*setup.model)) {
+    setup = set_up_for(options, "esdirk-3");
+    explicitly = set_up_for(options, "forward-euler");
+  }
   if (!(options.rtol > 0 && options.rtol < 1))
     throw InputError(
         fmt::format("--rtol: expected a number between 0 and 1, got {}", options.rtol));
@@ -136,7 +159,7 @@ void stability_command(const StabilityOptions& options) {
   make_folder(options.folder);
   warn_of_slow_blas();
   Counters counters;
-  Report report(*setup.model, std::move(methods), options);
+  Report report(explicitly ? *explicitly->model : *setup.model, std::move(methods), options);
   for (const State& state : accurate_states(*setup.model, times, counters, options.rtol))
     report.add(state);
   fmt::print(
