@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/surface_lines.hpp>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -99,6 +100,45 @@ Groups divided(const Groups& groups, double tolerance, const Value& value) {
   return result;
 }
 
+/// Lines that the edges of a surface follow, where it is curved along them; empty where they fork.
+template <int dim>
+Groups followed_lines(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+                      const Vector<dim>& along) {
+  constexpr double least = 0.9;  // cosine between an edge and the direction
+  std::map<int, std::set<int>> next, before;
+  for (const auto& facet : facets)
+    for (std::size_t k = 0; k < facet.size(); ++k) {
+      int a = facet[k], b = facet[(k + 1) % facet.size()];
+      const Vector<dim> edge =
+          mesh.nodes[static_cast<std::size_t>(b)] - mesh.nodes[static_cast<std::size_t>(a)];
+      if (std::abs(edge.dot(along)) < least * edge.norm() || a == b) continue;
+      if (edge.dot(along) < 0) std::swap(a, b);
+      next[a].insert(b);
+      before[b].insert(a);
+    }
+  Groups lines;
+  for (const int node : nodes_of_facets(facets)) {
+    if (next[node].size() > 1 || before[node].size() > 1) return {};
+    if (!before[node].empty()) continue;
+    lines.push_back({node});
+    while (!next[lines.back().back()].empty())
+      lines.back().push_back(*next[lines.back().back()].begin());
+  }
+  return lines;
+}
+
+/// The mean over all lines.
+template <int dim>
+double mean_length(const Mesh<dim>& mesh, const Groups& lines) {
+  double sum = 0;
+  for (const std::vector<int>& line : lines)
+    for (std::size_t k = 1; k < line.size(); ++k)
+      sum += (mesh.nodes[static_cast<std::size_t>(line[k])] -
+              mesh.nodes[static_cast<std::size_t>(line[k - 1])])
+                 .norm();
+  return sum / static_cast<double>(lines.size());
+}
+
 template <int dim>
 std::string point_text(const Vector<dim>& x) {
   std::string text;
@@ -148,13 +188,17 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   const auto [first, last] = std::ranges::minmax_element(nodes, {}, place);
   const double low = place(*first), high = place(*last);
   lines.length = closed ? coordinates.whole_circle() : high - low;
-  for (const std::vector<int>& line : lines.nodes) {
-    const double from = place(line.front()), to = place(line.back());
-    if (closed ? neighbours.beginning(line) >= 0
-               : std::max(from - low, high - to) > rounding * size)
-      throw broken_line<dim>(along, lines.length, at(line.front()), to - from);
-  }
-  return lines;
+  const auto is_broken = [&](const std::vector<int>& line) {
+    if (closed) return neighbours.beginning(line) >= 0;
+    return std::max(place(line.front()) - low, high - place(line.back())) > rounding * size;
+  };
+  auto broken = std::ranges::find_if(lines.nodes, is_broken);
+  if (broken == lines.nodes.end()) return lines;
+  if (Groups curved = along.centre ? Groups{} : followed_lines<dim>(mesh, facets, along.along);
+      !curved.empty() && std::ranges::none_of(curved, is_broken))
+    return {curved, mean_length<dim>(mesh, curved)};
+  throw broken_line<dim>(along, lines.length, at(broken->front()),
+                         place(broken->back()) - place(broken->front()));
 }
 
 template SurfaceLines lines_of_surface(const Mesh<2>&, const std::vector<Mesh<2>::Facet>&,

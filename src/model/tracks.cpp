@@ -59,7 +59,7 @@ std::vector<UniformLine> uniform_lines(const AssemblyParts<dim>& parts,
 
 /// What all nodes of a line together wear off moves all of them. A node that alone had the
 /// rate Wdot A moved by it / A; in the sum over the line it counts by its part of the line's area,
-/// and of the path.
+/// seen along the mean normal of a line that is curved, and of the path.
 template <int dim>
 SharedShape shared_shape(const AssemblyParts<dim>& parts,
                          const std::vector<ContactPatch<dim>>& patches) {
@@ -68,14 +68,17 @@ SharedShape shared_shape(const AssemblyParts<dim>& parts,
   if (lines.empty()) return {};
   result.carrier.resize(parts.mesh.nodes.size());
   std::iota(result.carrier.begin(), result.carrier.end(), 0);
-  std::vector<double> area(parts.mesh.nodes.size(), 0), weight(parts.mesh.nodes.size(), 1);
-  for (const ContactPatch<dim>& patch : patches) area[patch.node] = patch.initial_area;
+  std::vector<Vector<dim>> area(parts.mesh.nodes.size(), Vector<dim>::Zero());
+  std::vector<double> weight(parts.mesh.nodes.size(), 1);
+  for (const ContactPatch<dim>& patch : patches)
+    area[patch.node] = patch.initial_area * patch.initial_normal.normalized();
   for (const auto& [nodes, part] : lines) {
-    double whole = 0;
-    for (const int node : nodes) whole += area[node];
+    Vector<dim> sum = Vector<dim>::Zero();
+    for (const int node : nodes) sum += area[node];
+    const double whole = sum.norm();
     for (const int node : nodes) {
       result.carrier[node] = nodes.front();
-      if (whole > 0) weight[node] = part * area[node] / whole;
+      if (whole > 0) weight[node] = part * area[node].norm() / whole;
     }
   }
   for (const ContactPatch<dim>& patch : patches) result.weight.push_back(weight[patch.node]);

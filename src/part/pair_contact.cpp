@@ -96,7 +96,18 @@ void choose_track(const Scene& scene, const AssemblyParts<dim>& parts, MortarPai
     return std::ranges::any_of(
         facets, [&](const auto& facet) { return on_tracks.contains(sorted(facet)); });
   };
-  if (!has(pair.slave)) reverse(pair);
+  // That which is curved along the lines: its material follows them (MortarPath::passed).
+  const auto bend = [&](std::size_t side, const auto& facets) {
+    const Vector<dim> along = pair.velocities[side].normalized();
+    double most = 0;
+    for (const auto& facet : facets)
+      most = std::max(most, std::abs(facet_normal<dim>(facet, parts.mesh.nodes).dot(along)));
+    return most;
+  };
+  constexpr double straight = 1e-6;
+  if (!has(pair.slave) ||
+      (has(pair.master) && bend(1, pair.master) > bend(0, pair.slave) + straight))
+    reverse(pair);
   if (!has(pair.slave))
     throw InputError(
         fmt::format("{}: [[pair]]: expected a surface of \"{}\" or \"{}\" in wear.on "
@@ -171,7 +182,11 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
                     pair.bodies[0], pair.bodies[1], pair.slave.size(), reason));
   }
   tell_slaves_apart(scene, parts.pairs);
-  if (parts.interface.rolling) parts.interface.rolling = rolling_of(parts.pairs.front());
+  if (auto& rolling = parts.interface.rolling) {
+    const bool linear = rolling->linear;
+    rolling = rolling_of(parts.pairs.front());
+    rolling->linear = linear;
+  }
   parts.interface.partner.approach = parts.pairs.front().approach;
   std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);
   for (Surface<dim>& surface : surfaces)

@@ -147,9 +147,10 @@ void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
             "\"{}\", by whose velocities they roll on each other",
             scene.path().string(), pair.bodies[0], pair.bodies[1]));
     if (!pair.motion.spin.isZero(0) || pair.motion.across != 0)
-      throw InputError(scene.path().string() +
-                       ": [[motion]]: expected a velocity along the contact, in the plane, and no "
-                       "rotation, of bodies that roll");
+      throw InputError(
+          scene.path().string() +
+          ": [[motion]]: expected a velocity along the contact, and no rotation, of bodies "
+          "that roll: that of the material of a wheel, where it touches");
     if (!(pair.friction > 0))
       refuse(scene, "friction.coefficient", "a coefficient above zero where bodies roll");
   }

@@ -64,8 +64,25 @@ TEST(SurfaceLines, AreStraight) {
   ASSERT_EQ(lines.nodes.size(), 1u);
   EXPECT_EQ(lines.nodes.front().size(), 6u);
   EXPECT_NEAR(lines.length, 2, 1e-12);
-  EXPECT_THROW(lines_of_surface<2>(mesh, mesh.boundary.at("top"), {Vector<2>(0.6, 0.8001)}),
-               InputError);
+  EXPECT_THROW(lines_of_surface<2>(mesh, mesh.boundary.at("top"), {Vector<2>(1, 0)}), InputError);
+}
+
+/// The tread of a wheel: its edges follow the direction in which it rolls, as chords.
+TEST(SurfaceLines, MayBeCurved) {
+  const Mesh<3> mesh = structured_hexahedra(4, 3, 1, [&](double s, double t, double z) {
+    const double turn = 0.3 * (2 * s - 1);
+    return Vector<3>((1 + z) * std::sin(turn), t, (1 + z) * std::cos(turn));
+  });
+  const SurfaceLines lines =
+      lines_of_surface<3>(mesh, mesh.boundary.at("top"), {Vector<3>::UnitX()});
+  EXPECT_NEAR(lines.length, 4 * 4 * std::sin(0.075), 1e-12);
+  ASSERT_EQ(lines.nodes.size(), 4u);
+  for (const std::vector<int>& line : lines.nodes) {
+    EXPECT_EQ(line.size(), 5u);
+    for (const int node : line) EXPECT_EQ(mesh.nodes[node][1], mesh.nodes[line.front()][1]);
+  }
+  const Vector<3> oblique = Vector<3>(1, 1, 0).normalized();
+  EXPECT_THROW(lines_of_surface<3>(mesh, mesh.boundary.at("top"), {oblique}), InputError);
 }
 
 }  // namespace

@@ -392,6 +392,24 @@ TEST_F(PairRolling, FarBeyondStickItSlides) {
               1, 0.02);
 }
 
+/// The cap, whose surface is curved, is the slave then. Its track is half as long, so that it wears
+/// twice as deep.
+TEST_F(PairRolling, BothSurfacesWearAlongTheirTracks) {
+  std::string bodies = rail(two_half_planes(16, 14, 1.32));
+  bodies += "Physical Curve(\"tread\") = {24, 25, 28};\n";
+  folder_.write("both.geo", bodies);
+  const auto model = this->model(rolling_cap(1020) + "[wear.surfaces.tread]\npath = 50.0\n",
+                                 {"mesh.file=both.geo", "wear.on=[\"face\", \"tread\"]"});
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1000);
+  const double worn = 1e-9 * Mindlin::P * 20 * 1000;
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume_cap") / worn, 1, 0.02);
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume_cap") /
+                  observed(*model, run.last(), "worn_volume_flat"),
+              1, 1e-3);
+  const ContactSurface surface = model->contact(run.last()).value();
+  EXPECT_NEAR(std::ranges::max(surface.wear_depth) / (worn / 50), 1, 0.02);
+}
+
 TEST_F(PairRolling, WhatDoesNotGoTogetherIsRefused) {
   std::string text = rolling_cap(1000);
   expect_refused(text, {"shape.constraint=multiplier"}, "where bodies roll");

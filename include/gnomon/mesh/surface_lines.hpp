@@ -1,4 +1,6 @@
-// The nodes of a surface that is uniform along straight lines or circles, on these.
+// The nodes of a surface that is uniform along straight lines or circles, on these. Straight lines
+// may be a little curved, as those of a wheel that turns, where edges of the surface follow them
+// from end to end.
 #pragma once
 
 #include <gnomon/mesh/mesh.hpp>
@@ -23,7 +25,8 @@ struct Streamlines {
 
 struct SurfaceLines {
   std::vector<std::vector<int>> nodes;  ///< mesh nodes of each line, from one end to the other
-  double length = 0;  ///< of every line; of circles at the mean of their radii [length]
+  double length = 0;  ///< of every line; of circles at the mean of their radii; of curved ones the
+                      ///< mean [length]
 };
 
 /// In the plane the surface is a single line. Circles may be closed. Throws InputError where a node
