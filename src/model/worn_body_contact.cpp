@@ -151,17 +151,23 @@ MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
                        .lambda_before = fields().lambda,
                        .rho = rho_of_rolling(*assembly_, upstream),
                        .interval = std::vector<double>(count, 1),
+                       .flat = assembly_->interface.rolling->linear,
                        .factor = assembly_->interface.friction_factor};
   for (const MortarPair<dim>& pair : assembly_->pairs) {
     const std::set<int> slaves = nodes_of_facets(pair.slave);
     for (const Upstream& at : upstream) {
       if (!slaves.contains(at.node)) continue;
       const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
-      for (const auto& [node, factor] : at.from)
+      Vector<dim> streamed = assembly_->mesh.nodes[static_cast<std::size_t>(at.node)];
+      for (const auto& [node, factor] : at.from) {
         path.before[c].push_back({fields().place, assembly_->contact_node(node), factor});
-      path.interval[c] = at.distance / pair.velocities[0].norm();
+        streamed -= factor * assembly_->mesh.nodes[static_cast<std::size_t>(node)];
+      }
+      if (path.flat) streamed -= pair.approach * pair.approach.dot(streamed);
+      path.interval[c] = streamed.norm() / pair.velocities[0].norm();
+      // dt V^1 along the surface, which may be curved.
       path.passed.row(static_cast<Eigen::Index>(c)) =
-          path.interval[c] * (pair.velocities[0] - pair.velocities[1]).transpose();
+          (streamed - path.interval[c] * pair.velocities[1]).transpose();
     }
   }
   return path;

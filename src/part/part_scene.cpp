@@ -230,7 +230,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
         surface.track = read_track(scene, surface, parts);
       }
   }
-  if (motion.rolling) parts.interface.rolling->linear = has_small_strains(parts.bodies);
+  if (auto& rolling = parts.interface.rolling) rolling->linear = has_small_strains(parts.bodies);
   for (Surface<dim>& surface : parts.interface.surfaces)
     if (motion.rolling) surface.track = read_track(scene, surface, parts);
   parts.interface.friction_factor = read_friction_factor(scene, parts);
@@ -265,7 +265,7 @@ void judge_gap(const Magnitudes& expected, AssemblyParts<dim>& parts) {
       "the worn surface is expected to have a slope of about {:.2g}, and a depth of {:.2g} of the "
       "body's size",
       expected.slope, expected.thinning);
-  const bool small = has_small_strains(parts.bodies);
+  const bool small = has_small_strains(parts.bodies) && parts.pairs.empty();
   if (parts.shape.gap && !does)
     parts.remarks.push_back(
         fmt::format("wear is a gap: {}; above {:g} and {:g} use shape.motion = \"mesh\"", extent,

@@ -56,7 +56,8 @@ StickingInput<dim> MortarTerm<dim>::sticking_input(const Evaluation<dim>& at, co
           .lambda_before = at.values.scalar(path.lambda_before)[side.node],
           .before = before(at, side.node),
           .normal = normal,
-          .turn = {places.of[0].turn, places.of[1].turn}};
+          .turn = {places.of[0].turn, places.of[1].turn},
+          .dropped = path.flat ? pair(side).approach : Vector<dim>::Zero()};
 }
 
 template <int dim>

@@ -56,7 +56,9 @@ StickingTraction<dim>::StickingTraction(const StickingParameters& parameters,
 
   const Vector<dim, Scalar> lambda_T = at.turn[0].template cast<Scalar>() * own_traction,
                             moved = at.turn[1].template cast<Scalar>() * (place - before),
-                            along = moved - n * n.dot(moved);
+                            kept = moved - at.dropped.template cast<Scalar>() *
+                                               at.dropped.template cast<Scalar>().dot(moved),
+                            along = kept - n * n.dot(kept);
   const StickFriction<dim, Scalar> friction(lambda_T, along, n,
                                             closed ? Scalar(-coefficient * lambda) : Scalar(0),
                                             parameters.rho, closed && parameters.rubs, given);

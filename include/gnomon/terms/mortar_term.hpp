@@ -57,6 +57,7 @@ struct MortarPath {
   double rho = 1;                         ///< of lambda_T [stress / length]
   std::vector<double> interval{};         ///< of each contact node, since the place before [time]
   double share = 1;                       ///< StickParameters::share
+  bool flat = false;                      ///< slopes are left out: small strains in rolling
   FrictionFactor factor{};                ///< of the coefficients of friction, by the slave
 };
 

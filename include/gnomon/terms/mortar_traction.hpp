@@ -40,6 +40,8 @@ struct StickingInput {
   Vector<dim> before;               ///< r of the phase before [length]
   Vector<dim> normal;               ///< n, out of the slave, in space
   std::array<Tensor<dim>, 2> turn;  ///< of slave and master
+  /// A direction, unit, of which slip has no part: with small strains slopes are left out.
+  Vector<dim> dropped = Vector<dim>::Zero();
 };
 
 /// Of one pair.
