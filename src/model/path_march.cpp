@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
@@ -50,26 +51,45 @@ struct PathMarch<dim>::Alone {
 
 namespace {
 
-/// With a part of the forces along all guides but the first, and of the swinging loads.
 template <int dim>
-Phase<dim> with_tangential(Phase<dim> phase, double part) {
-  phase.swing = part;
+Phase<dim> with_parts(Phase<dim> phase, const LoadingStep& parts) {
+  phase.load *= parts.press;
+  if (phase.force) *phase.force *= parts.press;
+  phase.swing = parts.others;
   std::vector<Guide<dim>>& guides = phase.counter_body.guides;
   for (std::size_t k = 1; k < guides.size(); ++k)
-    if (guides[k].force) *guides[k].force *= part;
-  if (part == 0 && !guides.empty() && phase.force)
+    if (guides[k].force) *guides[k].force *= parts.others;
+  if (parts.others == 0 && !guides.empty() && phase.force)
     phase.counter_body.come_along(guides.front().along);
   return phase;
 }
 
+/// Before anything else pushes the bodies, something has to press them: where other forces grow
+/// with what presses, they do so from a small part of it on, in increments.
+std::vector<LoadingStep> with_a_pressed_start(std::vector<LoadingStep> steps) {
+  constexpr double small = 0.05;
+  constexpr int increments = 10;
+  const LoadingStep first = steps.front();
+  if (first.others == 0) return steps;
+  std::vector<LoadingStep> way = {{small * first.press, 0}};
+  for (int k = 1; k < increments; ++k) {
+    const double part = std::lerp(small, 1.0, double(k) / increments);
+    way.push_back({part * first.press, part * first.others});
+  }
+  steps.insert(steps.begin(), way.begin(), way.end());
+  return steps;
+}
+
 }  // namespace
 
-/// What presses grows first; then the other forces where the path begins.
+/// The forces where the path begins grow to the first step of the loading, and on from step to
+/// step.
 template <int dim>
 void PathMarch<dim>::load() {
   constexpr double increment = 0.1;
   const Phase<dim>& begin = whole_.phases().back();
-  const Phase<dim> pressed = with_tangential(begin, 0);
+  const std::vector<LoadingStep> steps = with_a_pressed_start(whole_.assembly().interface.loading);
+  const Phase<dim> pressed = with_parts(begin, steps.front());
   Alone alone(*this, pressed);
   RampOptions options = ramp_options(whole_.assembly());
   options.first = std::min(options.first, increment);
@@ -80,7 +100,11 @@ void PathMarch<dim>::load() {
                        [&alone](std::span<double> y) { alone.go_on_from(y); });
   if (ramp.reached < 1) throw SolutionError(failure_of(ramp, whole_.assembly(), begin));
   keep(alone, begin);
-  advance([&begin](double part) { return with_tangential(begin, part); });
+  for (std::size_t k = 1; k < steps.size(); ++k)
+    advance([&](double part) {
+      return with_parts(begin, {std::lerp(steps[k - 1].press, steps[k].press, part),
+                                std::lerp(steps[k - 1].others, steps[k].others, part)});
+    });
 }
 
 template <int dim>

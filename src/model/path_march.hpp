@@ -27,7 +27,7 @@ public:
             Counters& counters)
       : whole_(equations), t_(t), counters_(counters), values_(shape) {}
 
-  /// Loads and what presses grow where the path begins, then its other forces.
+  /// The first loading (Interface::loading), where the path begins.
   void load();
   void go_on_from(Last last) { last_ = std::move(last); }
   /// The values of all fields over the next cycle, with the memory at its begin.

@@ -12,7 +12,7 @@ namespace gnomon::part {
 
 namespace {
 
-const std::string key = "friction.factor";
+constexpr const char* key = "friction.factor";
 
 [[noreturn]] void refuse(const Scene& scene, const std::string& expected) {
   throw InputError(scene.where(key) + ": expected " + expected);

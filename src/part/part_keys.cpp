@@ -7,6 +7,7 @@
 #include "part/bodies.hpp"
 #include "part/body_meshes.hpp"
 #include "part/changing_friction.hpp"
+#include "part/first_loading.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/pairs.hpp"
@@ -122,8 +123,8 @@ std::vector<Key> shared_keys() {
 std::vector<Key> part_keys() {
   std::vector<Key> keys = mesh_keys();
   for (const auto& more :
-       {own_keys(), support_keys(), load_keys(), pair_keys(), cycle_keys(), rolling_keys(),
-        shared_keys(), body_table_keys(), body_mesh_keys(), shape_support_keys()})
+       {own_keys(), support_keys(), load_keys(), pair_keys(), cycle_keys(), first_loading_keys(),
+        rolling_keys(), shared_keys(), body_table_keys(), body_mesh_keys(), shape_support_keys()})
     keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }

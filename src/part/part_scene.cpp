@@ -15,6 +15,7 @@
 #include "part/bodies.hpp"
 #include "part/body_meshes.hpp"
 #include "part/changing_friction.hpp"
+#include "part/first_loading.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
@@ -234,6 +235,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   for (Surface<dim>& surface : parts.interface.surfaces)
     if (motion.rolling) surface.track = read_track(scene, surface, parts);
   parts.interface.friction_factor = read_friction_factor(scene, parts);
+  parts.interface.loading = read_first_loading(scene, parts.interface.sticks);
   if (!motion.phases) return parts;
   parts.cycle = motion.phases->contact;
   parts.phases = motion.phases->phases;
@@ -299,6 +301,8 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   if (parts.interface.sticks) {
     require_path(scene, parts);
     parts.interface.memory_follows = memory_follows(scene);
+    if (std::string history = history_that_matters(parts); !history.empty())
+      parts.proposals.push_back(std::move(history));
     AssemblyParts<dim> slow = parts;
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
       slow.interface.speed = speed_on_path(slow, magnitudes);

@@ -41,6 +41,24 @@ TEST_F(Fretting, ExplicitMethodsKeepTheirOrder) {
   }
 }
 
+/// Slip of unlike bodies depends on the first loading, that of similar ones does not.
+TEST_F(Fretting, TheFirstLoadingMattersForUnlikeBodies) {
+  const auto work = [this](double nu, const std::vector<std::string>& loading) {
+    std::vector<std::string> set = {"counter_body.press.2.cycle=\"cos(2*pi*tau)\""};
+    set.insert(set.end(), loading.begin(), loading.end());
+    const auto model = this->model(cylinder("", nu), set);
+    Counters counters;
+    return observed(*model, model->start(counters), "friction_work");
+  };
+  const std::vector<std::string> oblique = {"cycle.loading.press=[1.0]",
+                                            "cycle.loading.others=[1.0]"};
+  EXPECT_GT(std::abs(work(0.2, oblique) / work(0.2, {}) - 1), 0.01);
+  EXPECT_NEAR(work(0.4999, oblique) / work(0.4999, {}), 1, 1e-3);
+  expect_refused(cylinder(), {"cycle.loading.press=[1.0]"}, "expected also");
+  expect_refused(cylinder(), {"cycle.loading.press=[1.0, 0.9]", "cycle.loading.others=[0.0, 1.0]"},
+                 "the last 1");
+}
+
 /// What sticks throughout the cycle keeps its place, what slips follows.
 TEST_F(Fretting, ExplicitMethodsWearAsImplicitOnes) {
   std::vector<double> worn, area;

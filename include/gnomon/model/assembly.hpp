@@ -109,6 +109,12 @@ struct Surface {
 };
 
 /// Contact of the bodies with a rigid partner.
+/// On the way of the first loading of a path: parts of the forces where the path begins.
+struct LoadingStep {
+  double press = 1;   ///< of loads and what presses
+  double others = 1;  ///< of forces along other guides, and of swinging loads
+};
+
 template <int dim>
 struct Interface {
   /// They share no facet. A node of two of them wears by the law of the first.
@@ -130,6 +136,7 @@ struct Interface {
   /// (docs/fretting.md); nothing streams.
   bool sticks = false;
   bool memory_follows = false;  ///< for explicit methods (slip_memory.hpp)
+  std::vector<LoadingStep> loading = {{1, 0}, {1, 1}};  ///< of a path; at its end both are 1
   double friction = 0;          ///< Coulomb's coefficient mu of eq. (10)
   /// Of the coefficient, also of pairs, where friction may stick.
   FrictionFactor friction_factor{};
