@@ -25,6 +25,7 @@ public:
     to = from;
     to.t = from.t + h;
     dense_output_.evaluate(to.t, to.y);
+    for (int i : system_.structure().remembered) to.y[i] = from.y[i];
     for (int i : norm_.components()) to.y[i] = from.y[i] + h * from.ydot[i];
     // The next step of this size integrates the error of the rates.
     const Distance distance = [&](std::span<const double> before, std::span<const double> y) {

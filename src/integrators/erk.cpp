@@ -91,6 +91,8 @@ private:
 
   StepReport take_step(State& state, double t_stop) override {
     from_ = state.t;
+    remembered_.clear();
+    for (const int i : system_.structure().remembered) remembered_.push_back(state.y[i]);
     if (!erk_)
       begin(state);
     else if (is_breakpoint(system_.structure(), state.t) &&
@@ -205,6 +207,8 @@ private:
     State next = whole_;
     next.t = t;
     if (t != whole_.t) dense_output_.evaluate(t, next.y);
+    for (std::size_t k = 0; k < remembered_.size(); ++k)
+      next.y[system_.structure().remembered[k]] = remembered_[k];
     const std::vector<int>& components = norm_.components();
     for (std::size_t k = 0; k < components.size(); ++k) next.y[components[k]] = d[k];
     const double error = expected_error_.of_step(step_);
@@ -283,11 +287,12 @@ private:
   ErrorNorm norm_;
   ExpectedError expected_error_;
   AlgebraicSolver algebraic_;
-  State whole_;               // consistent state of the last evaluation
-  DenseOutput dense_output_;  // through evaluations, gives the guess for the next
-  double from_ = 0;           // start of the step, on whose side of a jump its stages lie
-  double proposal_;           // size of the next attempt; 0 before the first adaptive step
-  double step_ = 0;           // size of this attempt, or more
+  State whole_;                     // consistent state of the last evaluation
+  DenseOutput dense_output_;        // through evaluations, gives the guess for the next
+  std::vector<double> remembered_;  // Structure::remembered at the start of the step
+  double from_ = 0;                 // start of the step, on whose side of a jump its stages lie
+  double proposal_;                 // size of the next attempt; 0 before the first adaptive step
+  double step_ = 0;                 // size of this attempt, or more
   long rejected_ = 0;
   struct Evaluated {
     double t, integrand;

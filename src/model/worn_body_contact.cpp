@@ -90,7 +90,7 @@ std::vector<MortarCandidates> WornBodyEquations<dim>::candidates_in(const Phase<
 
 template <int dim>
 SlipMemory WornBodyEquations<dim>::memory() const {
-  return {fields().memory, memory_before_, assembly_->cycle->motion.cycle.period};
+  return {fields().memory, memory_before_, memory_stuck_, assembly_->cycle->motion.cycle.period};
 }
 
 /// Of a phase of a path, after the one before it.

@@ -48,11 +48,28 @@ WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> a
   composition->coarsening = coarsening(*assembly_);
   composition_ = composition;
   composition->stages = {selection(false, true), deformation()};
-  if (memory_before_ == FieldId::none) return;
-  composition->kept = {{fields().memory, memory_before_}};
-  const std::vector<Block>& blocks = composition->fields->blocks;
+  if (memory_before_ != FieldId::none) let_memory_follow(*composition);
+}
+
+/// The memory of slip is solved for with the contact; what sticks throughout the cycle keeps it.
+template <int dim>
+void WornBodyEquations<dim>::let_memory_follow(Composition<dim>& composition) const {
+  composition.remember = [terms = contact_terms_, memory = memory()](
+                             const ComposedSystem<dim>& whole, const Point& at,
+                             FieldValues<dim>& values) {
+    Eigen::VectorXd stuck = Eigen::VectorXd::Ones(values.vector(memory.s).rows());
+    for (const std::size_t term : terms) {
+      const auto& contact = dynamic_cast<const ContactNodes<dim>&>(whole.term(term));
+      const std::vector<ContactNode<dim>> nodes = contact.nodes(whole.evaluation(at, values, term));
+      for (std::size_t c = 0; c < nodes.size(); ++c)
+        if (!nodes[c].active || !nodes[c].sticks) stuck[static_cast<Eigen::Index>(c)] = 0;
+    }
+    values.vector(memory.before) = values.vector(memory.s);
+    values.scalar(memory.stuck) = stuck;
+  };
+  const std::vector<Block>& blocks = composition.fields->blocks;
   for (std::size_t b = 0; b < blocks.size(); ++b)
-    if (blocks[b].role == Role::memory) composition->stages.back()[b] = 1;
+    if (blocks[b].role == Role::memory) composition.stages.back()[b] = 1;
 }
 
 template <int dim>

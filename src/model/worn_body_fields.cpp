@@ -232,7 +232,10 @@ void WornBodyEquations<dim>::add_memory(double slip, const Scales& scales, Field
   memory.unknown_scale.setConstant(slip);
   const FieldId s = set.add(std::move(memory));
   for (WornBodyFields& fields : fields_) fields.memory = s;
-  if (follows) memory_before_ = set.add(Field("slip_memory_before", set.fields.back().node, dim));
+  if (!follows) return;
+  const std::vector<int> nodes = set.fields.back().node;
+  memory_before_ = set.add(Field("slip_memory_before", nodes, dim));
+  memory_stuck_ = set.add(Field("slip_memory_stuck", nodes, 1));
 }
 
 /// r of each phase, of pairs.

@@ -65,6 +65,8 @@ void ComposedSystem<dim>::build_structure() {
     structure_.unknown_scale.push_back(field.unknown_scale(entity, i));
     structure_.block.push_back(block);
     structure_.component.push_back(static_cast<char>(i));
+    if (blocks[block].role == Role::memory && !blocks[block].differential)
+      structure_.remembered.push_back(static_cast<int>(structure_.differential.size()));
     structure_.differential.push_back(blocks[block].differential);
     structure_.tolerance_scale.push_back(blocks[block].tolerance_scale);
   }
@@ -251,8 +253,11 @@ std::vector<AlgebraicStage> ComposedSystem<dim>::algebraic_stages() const {
         if (mine.data()[k] >= 0) stage.unknowns[mine.data()[k]] = whole.data()[k];
     }
     stage.freeze = [this, part = part.get()](double t, std::span<const double> y) {
-      for (const auto& [from, to] : composition_->kept)
-        values_.vector(to) = values(t, y).vector(from);
+      if (composition_->remember) {
+        FieldValues<dim> now = values(t, y);
+        composition_->remember(*this, {.t = t, .y = y}, now);
+        values_ = std::move(now);
+      }
       part->freeze(values(t, y), t);
     };
     stage.system = std::move(part);

@@ -115,8 +115,8 @@ void MortarTerm<dim>::add_path_residual(const Evaluation<dim>& at, const Side& s
 }
 
 template <int dim>
-void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double rate_weight,
-                               std::span<double> values) const {
+void MortarTerm<dim>::add_path(const Evaluation<dim>& at, const Side& side, const SideState& state,
+                               double rate_weight, std::span<double> values) const {
   const std::vector<int>& own = own_numbers_[side.node];
   const ContactPatch<dim>& of = patch(side);
   const StickingTraction<dim>& sticking = *state.sticking;
@@ -147,7 +147,7 @@ void MortarTerm<dim>::add_path(const Side& side, const SideState& state, double 
     if (!state_.path->is_last) continue;
     const int s = memory_numbers_(side.node, i);
     put(s, r, -1 / memory.period);
-    put(s, s, memory.by_s(rate_weight));
+    put(s, s, memory.by_s(at, side.node, rate_weight));
   }
 }
 
@@ -162,7 +162,7 @@ template NodalField<2> MortarTerm<2>::places(const Evaluation<2>&) const;
 template void MortarTerm<2>::declare_path(const Side&, PatternBuilder&) const;
 template void MortarTerm<2>::add_path_residual(const Evaluation<2>&, const Side&, const SideState&,
                                                std::span<double>) const;
-template void MortarTerm<2>::add_path(const Side&, const SideState&, double,
+template void MortarTerm<2>::add_path(const Evaluation<2>&, const Side&, const SideState&, double,
                                       std::span<double>) const;
 template FacetNodal<3> MortarTerm<3>::labels_of(const Evaluation<3>&, int, int) const;
 template StickingInput<3> MortarTerm<3>::sticking_input(const Evaluation<3>&, const Side&,
@@ -175,7 +175,7 @@ template NodalField<3> MortarTerm<3>::places(const Evaluation<3>&) const;
 template void MortarTerm<3>::declare_path(const Side&, PatternBuilder&) const;
 template void MortarTerm<3>::add_path_residual(const Evaluation<3>&, const Side&, const SideState&,
                                                std::span<double>) const;
-template void MortarTerm<3>::add_path(const Side&, const SideState&, double,
+template void MortarTerm<3>::add_path(const Evaluation<3>&, const Side&, const SideState&, double,
                                       std::span<double>) const;
 
 }  // namespace gnomon

@@ -319,7 +319,8 @@ void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight
   const Surfaces result = surfaces(at);
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     add_side(sides_[s], result.sides[s], values);
-    if (state_.path && sides_[s].slave) add_path(sides_[s], result.sides[s], rate_weight, values);
+    if (state_.path && sides_[s].slave)
+      add_path(at, sides_[s], result.sides[s], rate_weight, values);
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (result.facets[f].masters.empty()) continue;

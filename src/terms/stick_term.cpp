@@ -294,7 +294,7 @@ void StickTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
         if (map[k] >= 0) values[map[k]] += value;
       };
       add(0, -rate);
-      add(1, state_.memory.by_s(rate_weight));
+      add(1, state_.memory.by_s(at, c, rate_weight));
       for (std::size_t k = 0; k < guides.size(); ++k) add(2 + k, rate * guides[k].along[i]);
     }
   }

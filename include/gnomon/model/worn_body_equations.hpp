@@ -114,6 +114,7 @@ private:
   void add_places(double slip, FieldSet& set);
   StickState<dim> stick_state(std::size_t phase, double nominal_speed) const;
   SlipMemory memory() const;
+  void let_memory_follow(Composition<dim>& composition) const;
   MortarPath<dim> mortar_path(std::size_t phase) const;
   MortarPath<dim> mortar_rolling() const;
   StickState<dim> rolling_state(double nominal_speed) const;
@@ -133,8 +134,8 @@ private:
   std::shared_ptr<const Assembly<dim>> assembly_;
   std::vector<Phase<dim>> phases_;
   std::shared_ptr<const Condensation<dim>> condensation_;
-  std::vector<WornBodyFields> fields_;      // of each phase
-  FieldId memory_before_ = FieldId::none;   // of SlipMemory
+  std::vector<WornBodyFields> fields_;                                    // of each phase
+  FieldId memory_before_ = FieldId::none, memory_stuck_ = FieldId::none;  // of SlipMemory
   std::vector<std::size_t> contact_terms_;  // in the composition, of each phase
   std::vector<KindOfTerm> kinds_;
   std::shared_ptr<const Composition<dim>> composition_;

@@ -1,12 +1,16 @@
 // A system of terms over fields, or a part of it with the other blocks frozen.
 #pragma once
 
+#include <functional>
 #include <gnomon/system/system.hpp>
 #include <gnomon/terms/term.hpp>
 #include <memory>
 #include <optional>
 
 namespace gnomon {
+
+template <int dim>
+class ComposedSystem;
 
 /// The parts of a system; shared by a system and its algebraic stages.
 template <int dim>
@@ -16,8 +20,10 @@ struct Composition {
   std::vector<PrescribedValues> prescribed;
   /// Blocks of the algebraic stages, in the order in which they are solved.
   std::vector<BlockSelection> stages;
-  /// Fields whose values are kept in another one, without unknowns, whenever a stage is frozen.
-  std::vector<std::pair<FieldId, FieldId>> kept;
+  /// Called with the whole system whenever a stage is frozen: sets fields without unknowns by the
+  /// state of then.
+  std::function<void(const ComposedSystem<dim>& whole, const Point& at, FieldValues<dim>& values)>
+      remember;
   std::vector<std::array<double, 3>> position;  ///< of the mesh nodes, initial [length]
   std::shared_ptr<const std::vector<NodeInterpolation>> coarsening;  ///< as in Structure
   LinearSolverMaker solver;

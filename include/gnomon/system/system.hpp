@@ -28,6 +28,9 @@ struct Structure {
   std::vector<int> group = {};  ///< size entries: rows of one node share a number (ordering)
   std::vector<char> differential = {};       ///< size entries: 1 where ydot enters F
   std::vector<double> tolerance_scale = {};  ///< size entries, as in Block; empty: 1
+  /// Algebraic unknowns whose solution depends on where they come from, ascending: an algebraic
+  /// stage is solved from their values at the last state, not from guesses.
+  std::vector<int> remembered = {};
   std::vector<double> row_scale = {};  ///< size entries: magnitude of F_i, in the unit of the row
   std::vector<double> unknown_scale = {};  ///< size entries: typical |y_i|
   std::vector<int> switch_node = {};  ///< one per switching function: the mesh node it belongs to

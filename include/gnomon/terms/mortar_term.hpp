@@ -180,8 +180,8 @@ private:
   std::optional<Vector<dim>> place_on_partner(const Side& side, const SideState& state) const;
   void add_path_residual(const Evaluation<dim>& at, const Side& side, const SideState& state,
                          std::span<double> F) const;
-  void add_path(const Side& side, const SideState& state, double rate_weight,
-                std::span<double> values) const;
+  void add_path(const Evaluation<dim>& at, const Side& side, const SideState& state,
+                double rate_weight, std::span<double> values) const;
   void add_facet(const Evaluation<dim>& at, const SlaveFacet& facet,
                  const MortarFacetTangent<dim>& tangent, const Surfaces& state,
                  std::span<double> values) const;
