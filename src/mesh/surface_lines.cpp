@@ -127,6 +127,20 @@ Groups followed_lines(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim
   return lines;
 }
 
+/// Whether all edges of a line have one direction.
+template <int dim>
+bool is_straight(const Mesh<dim>& mesh, const std::vector<int>& line) {
+  constexpr double rounding = 1e-6;
+  const auto edge = [&](std::size_t k) -> Vector<dim> {
+    return (mesh.nodes[static_cast<std::size_t>(line[k])] -
+            mesh.nodes[static_cast<std::size_t>(line[k - 1])])
+        .normalized();
+  };
+  for (std::size_t k = 2; k < line.size(); ++k)
+    if ((edge(k) - edge(1)).norm() > rounding) return false;
+  return true;
+}
+
 /// The mean over all lines.
 template <int dim>
 double mean_length(const Mesh<dim>& mesh, const Groups& lines) {
@@ -195,7 +209,9 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   auto broken = std::ranges::find_if(lines.nodes, is_broken);
   if (broken == lines.nodes.end()) return lines;
   if (Groups curved = along.centre ? Groups{} : followed_lines<dim>(mesh, facets, along.along);
-      !curved.empty() && std::ranges::none_of(curved, is_broken))
+      !curved.empty() && std::ranges::none_of(curved, [&](const std::vector<int>& line) {
+        return is_broken(line) || is_straight<dim>(mesh, line);
+      }))
     return {curved, mean_length<dim>(mesh, curved)};
   throw broken_line<dim>(along, lines.length, at(broken->front()),
                          place(broken->back()) - place(broken->front()));
