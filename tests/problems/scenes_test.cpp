@@ -64,6 +64,7 @@ Overrides coarse(const std::string& scene) {
   if (scene == "worn_body/pin_on_track.toml") return {"mesh.factor=2", "time.end=200"};
   if (scene == "worn_body/gear_teeth.toml")
     return {"mesh.factor=2", "cycle.phases=4", "time.end=100"};
+  if (scene == "worn_body/wheel_on_rail.toml") return {"mesh.factor=2.5", "time.end=5e4"};
   if (scene == "worn_body/hip.toml") return {"mesh.factor=1.5", "cycle.phases=1", "time.end=1e5"};
   if (scene == "worn_body/cylinder_worn.toml")
     return {"mesh.factor=3", "time.end=400", "output.times=[]"};
