@@ -8,7 +8,7 @@ import time
 from figures import style
 from program import ROOT
 
-from gallery import bodies, closed_forms, contact, cycles, methods, paper, parts, published
+from gallery import bodies, closed_forms, contact, cycles, methods, paper, parts, published, rolling
 from gallery.entry import markdown
 
 GROUPS = {
@@ -17,7 +17,7 @@ GROUPS = {
     "Published tests": published.ENTRIES,
     "Cycles": cycles.ENTRIES,
     "The paper's examples": paper.ENTRIES,
-    "Parts": parts.ENTRIES + bodies.ENTRIES,
+    "Parts": parts.ENTRIES + bodies.ENTRIES + rolling.ENTRIES,
     "Methods": methods.ENTRIES,
 }
 MARK = "<!-- {} -->\n"
