@@ -14,7 +14,8 @@ import numpy as np
 
 E, NU, FRICTION, FORCE = 210e3, 0.3, 0.3, 20e3
 RADIUS, CROWN, SPEED, CREEPAGE = 460.0, 300.0, 20e3, 1e-3
-WEAR, PATH, END = 1e-8, 5000.0, 3e5
+WEAR, END = 1e-8, 9e4
+PATHS = np.array([5000.0, 2890.0])  # of the rail, of the wheel
 
 
 def displacements(x, y, h):
@@ -89,35 +90,27 @@ class Contact:
 
 
 HEAD = ["t [s]", "largest pressure [MPa]", "forces along, across [N]", "power of friction [N mm/s]", "area [mm^2]",
-        "stick [mm^2]", "depth [um]", "volume [mm^3]"]
-TIMES = [0, 1e5, 2e5, 3e5]
+        "stick [mm^2]", "depths of rail, wheel [um]", "volumes [mm^3]"]
+TIMES = [0, 3e4, 6e4, 9e4]
 
 
 def worn(h, steps, creepage):
-    """(y, depth by time, rows of the table above) at the times; without steps, at the start."""
+    """(y, depths of rail and wheel by time, rows of the table above) at the times; without steps, at the start."""
     contact, profiles, rows = Contact(12, 18, h), {}, []
-    depth, volume, dt = np.zeros(len(contact.y)), 0.0, END / max(steps, 1)
+    depths, volumes, dt = np.zeros((2, len(contact.y))), np.zeros(2), END / max(steps, 1)
     for i in range(steps + 1):
-        gap = contact.X**2 / (2 * RADIUS) + contact.Y**2 / (2 * CROWN) + np.tile(depth, len(contact.x))
-        p = contact.press(gap)
+        profile = np.tile(depths.sum(axis=0), len(contact.x))
+        p = contact.press(contact.X**2 / (2 * RADIUS) + contact.Y**2 / (2 * CROWN) + profile)
         force, slip, stick = contact.roll(p, creepage)
         losses = (p * slip).reshape(len(contact.x), -1).sum(axis=0)  # [N/mm^2] along each line
         power = FRICTION * losses.sum() * h**2 * SPEED
         if any(abs(i * dt - t) < 0.5 * dt for t in TIMES):
-            profiles[i * dt] = 1e3 * depth
-            rows.append([i * dt, p.max(), *-force, power, (p > 0).sum() * h**2, stick * h**2, 1e3 * depth.max(),
-                         volume])
-        rate = WEAR * SPEED * losses * h / PATH * dt
-        depth, volume = depth + rate, volume + rate.sum() * h * PATH
+            profiles[i * dt] = 1e3 * depths
+            rows.append([i * dt, p.max(), *-force, power, (p > 0).sum() * h**2, stick * h**2,
+                         *1e3 * depths.max(axis=1), *volumes])
+        rates = WEAR * SPEED * losses * h / PATHS[:, None] * dt
+        depths, volumes = depths + rates, volumes + rates.sum(axis=1) * h * PATHS
     return contact.y, profiles, rows
-
-
-def across(rows):
-    """Nodes of the rail at x = 0, of the contact nodes of both bodies."""
-    on_rail = [row for row in rows if abs(row["X0"]) < 1e-6 and row["Z0"] < 1e-9 - 1e-3 * row["Y0"] ** 2]
-    # Of the two at y = 0 the worn one, or the slave's.
-    of = {round(row["Y0"], 6): row for row in sorted(on_rail, key=lambda row: (row["wear_depth"], row["pressure"]))}
-    return [of[y] for y in sorted(of)]
 
 
 def figure(contact, y, profiles):
@@ -129,11 +122,13 @@ def figure(contact, y, profiles):
     page = style.figure(style.DOUBLE, 0.38 * style.DOUBLE)
     left, right = page.subplots(1, 2)
     for t, colour in zip(sorted(profiles), ("black", *style.sequence(3))):
-        middle = across(contact(t))
-        Y = [row["Y0"] for row in middle]
-        if t:
-            left.plot(Y, [1e3 * row["wear_depth"] for row in middle], "o", color=colour)
-            left.plot(y, profiles[t], color=colour, label=f"{t:,.0f} s")
+        for name, of_other, mark in (("head", profiles[t][0], "s"), ("tread", profiles[t][1], "o")):
+            middle = sorted((row for row in contact(t) if row["surface"] == name and abs(row["X0"]) < 1e-6),
+                            key=lambda row: row["Y0"])
+            Y = [row["Y0"] for row in middle]
+            if t:
+                left.plot(Y, [1e3 * row["wear_depth"] for row in middle], mark, color=colour, markersize=3)
+                left.plot(y, of_other, color=colour, label=f"{t:,.0f} s" if mark == "o" else None)
         right.plot(Y, [row["pressure"] for row in middle], "o-", color=colour, label=f"{t:,.0f} s")
     left.set(xlabel="y, across the rail [mm]", ylabel="depth of wear [µm]", xlim=(-7.5, 7.5))
     right.set(xlabel="y, across the rail [mm]", ylabel="pressure at x = 0 [MPa]", xlim=(-7.5, 7.5))
