@@ -30,8 +30,8 @@ def wheel(_full):
 
 ENTRIES = [
     Entry("wheel-on-rail", "Wheel on rail, in space", """
-A wheel drives on a rail with a creepage of 0.001, and both wear; both deform. Left: depths of wear, dots of the wheel
+A wheel drives on a rail with a creepage of 0.001; both deform, and both wear. Left: depths of wear, dots of the wheel
 and squares of the rail by gnomon, lines by a program of uniform tractions on squares of two half-spaces, which freezes
-the profiles for a thirtieth of the time. Right: gnomon's pressures. Depths and volume are too small by 4 to 7 % at the
-end on this mesh.""", wheel),
+the profiles for a thirtieth of the time. Right: gnomon's pressures. At the end depths and volume are 4 to 7 % too small
+on this mesh.""", wheel),
 ]
