@@ -15,7 +15,7 @@ enum class Role : char {
   reaction,    ///< follows from all other blocks; its own block of J is diagonal
   rigid,       ///< a scalar that is coupled with many unknowns
   friction,    ///< further conditions for each node of a `multiplier`, along the surface
-  memory       ///< values at the nodes of `friction` that change once in a cycle; differential
+  memory       ///< values at the nodes of `friction` that change once in a cycle
 };
 
 /// A set of unknowns that a physics declares, as listed by `gnomon check`.

@@ -135,9 +135,9 @@ struct Interface {
   /// Friction may stick: the phases are a path through a cycle, whose end is that of the last one
   /// (docs/fretting.md); nothing streams.
   bool sticks = false;
-  bool memory_follows = false;  ///< for explicit methods (slip_memory.hpp)
+  bool memory_follows = false;                          ///< for explicit methods (slip_memory.hpp)
   std::vector<LoadingStep> loading = {{1, 0}, {1, 1}};  ///< of a path; at its end both are 1
-  double friction = 0;          ///< Coulomb's coefficient mu of eq. (10)
+  double friction = 0;                                  ///< Coulomb's coefficient mu of eq. (10)
   /// Of the coefficient, also of pairs, where friction may stick.
   FrictionFactor friction_factor{};
   /// Material streams past the partner, and friction may stick (docs/rolling.md); surfaces without
