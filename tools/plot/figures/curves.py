@@ -21,11 +21,17 @@ class Curve:
 
 def of(result):
     if result.dim == 2:
-        return [Curve(result, "x", "", lambda table: in_order(of_one_body(result, table), "x"),
-                      result.axes[0])]
+        axis = longer_axis(of_one_body(result, result.contact(0)))
+        return [Curve(result, axis, "", lambda table: in_order(of_one_body(result, table), axis),
+                      result.axes["xy".index(axis)])]
     edges = edges_of(space.contact_faces(result))
     return [Curve(result, "x", "$y$ = 0", lambda table: cut(table, edges, "y", "x")),
             Curve(result, "y", "$x$ = 0", lambda table: cut(table, edges, "x", "y"))]
+
+
+def longer_axis(table):
+    """Along which a surface in the plane is seen: a fit on a shaft lies along the axis."""
+    return "y" if numpy.ptp(table["Y0"]) > numpy.ptp(table["X0"]) else "x"
 
 
 def of_one_body(result, table):

@@ -30,10 +30,10 @@ def draw_loops(axes, result):
         place, force = rows[:, along], rows[:, result.dim + along]
         axes.plot(1e3 * numpy.append(place, place[0]), numpy.append(force, force[0]), color=colour,
                   marker="o", markersize=2, label="$t$ = " + result.clock.text(result.times[step]))
-    name = "xyz"[along]
+    name, whole = result.axes[along], result.dim == 3 or result.axes[0] == "r"
     partner = "other body" if result.has_pairs else "counter-body"
     axes.set_xlabel(f"displacement of the {partner} along {name} [um]")
-    axes.set_ylabel(f"force along {name} [{'N/mm' if result.dim == 2 else 'N'}]")
+    axes.set_ylabel(f"force along {name} [{'N' if whole else 'N/mm'}]")
     axes.legend(loc="upper left")
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
