@@ -24,6 +24,14 @@ void compare_with_central(int next, double h, double H, Upstream& at) {
 }  // namespace
 
 template <int dim>
+Vector<dim> streamed(const Mesh<dim>& mesh, const Upstream& at) {
+  Vector<dim> result = mesh.nodes[static_cast<std::size_t>(at.node)];
+  for (const auto& [node, factor] : at.from)
+    result -= factor * mesh.nodes[static_cast<std::size_t>(node)];
+  return result;
+}
+
+template <int dim>
 std::vector<Upstream> upstream_of(const Assembly<dim>& assembly) {
   std::vector<Upstream> result;
   for (const Surface<dim>& surface : assembly.interface.surfaces) {
@@ -53,6 +61,8 @@ std::vector<Upstream> upstream_of(const Assembly<dim>& assembly) {
   return result;
 }
 
+template Vector<2> streamed(const Mesh<2>&, const Upstream&);
+template Vector<3> streamed(const Mesh<3>&, const Upstream&);
 template std::vector<Upstream> upstream_of(const Assembly<2>&);
 template std::vector<Upstream> upstream_of(const Assembly<3>&);
 

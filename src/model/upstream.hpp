@@ -18,6 +18,11 @@ struct Upstream {
   std::vector<std::pair<int, double>> upwind = {};
 };
 
+/// How far the material has come to the node since it was upstream: X - sum factor X(from)
+/// [length].
+template <int dim>
+Vector<dim> streamed(const Mesh<dim>& mesh, const Upstream& at);
+
 /// Of all nodes of tracks that carry a multiplier, but for the first of each line, along the
 /// velocity of the rolling.
 template <int dim>

@@ -158,16 +158,14 @@ MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
     for (const Upstream& at : upstream) {
       if (!slaves.contains(at.node)) continue;
       const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
-      Vector<dim> streamed = assembly_->mesh.nodes[static_cast<std::size_t>(at.node)];
-      for (const auto& [node, factor] : at.from) {
+      for (const auto& [node, factor] : at.from)
         path.before[c].push_back({fields().place, assembly_->contact_node(node), factor});
-        streamed -= factor * assembly_->mesh.nodes[static_cast<std::size_t>(node)];
-      }
-      if (path.flat) streamed -= pair.approach * pair.approach.dot(streamed);
-      path.interval[c] = streamed.norm() / pair.velocities[0].norm();
+      Vector<dim> way = streamed(assembly_->mesh, at);
+      if (path.flat) way -= pair.approach * pair.approach.dot(way);
+      path.interval[c] = way.norm() / pair.velocities[0].norm();
       // dt V^1 along the surface, which may be curved.
       path.passed.row(static_cast<Eigen::Index>(c)) =
-          (streamed - path.interval[c] * pair.velocities[1]).transpose();
+          (way - path.interval[c] * pair.velocities[1]).transpose();
     }
   }
   return path;
@@ -193,18 +191,16 @@ StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) cons
   for (const Upstream& at : upstream) {
     const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
     const Vector<dim> X = assembly_->mesh.nodes[static_cast<std::size_t>(at.node)];
-    Vector<dim> streamed = X;
-    for (const auto& [node, factor] : at.from) {
+    for (const auto& [node, factor] : at.from)
       state.before[c].push_back({fields().u, node, factor});
-      streamed -= factor * assembly_->mesh.nodes[static_cast<std::size_t>(node)];
-    }
+    Vector<dim> way = streamed(assembly_->mesh, at);
     state.interval[c] = at.distance / rolling.velocity.norm();
     if (rolling.linear && partner.motion.moves())
-      streamed -= state.interval[c] * partner.motion.at(Vector<dim>(X - partner.position));
+      way -= state.interval[c] * partner.motion.at(Vector<dim>(X - partner.position));
     else if (rolling.linear)
-      streamed.setZero();
+      way.setZero();
     state.carried.row(static_cast<Eigen::Index>(c)) =
-        -(streamed + at.distance * rolling.creepage_at(X)).transpose();
+        -(way + at.distance * rolling.creepage_at(X)).transpose();
   }
   return state;
 }
