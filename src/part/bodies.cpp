@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 
@@ -108,6 +109,11 @@ Facets<dim> bonded_facets(const Mesh<dim>& mesh, const std::vector<Body>& bodies
     if (other >= 0 && body_at(slot) < body_at(other)) result.push_back(facets.facet(slot));
   }
   return result;
+}
+
+bool has_small_strains(const std::vector<Body>& bodies) {
+  return std::ranges::all_of(
+      bodies, [](const Body& body) { return body.element.kinematics == Kinematics::small; });
 }
 
 template std::vector<Body> read_bodies(const Scene&, const ImportedBody<2>&, Section);

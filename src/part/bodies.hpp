@@ -21,6 +21,8 @@ bool has_bodies(const Scene& scene);
 template <int dim>
 std::vector<Body> read_bodies(const Scene& scene, const ImportedBody<dim>& part, Section section);
 
+bool has_small_strains(const std::vector<Body>& bodies);
+
 /// Where groups of elements are one material, though they may be meant as several.
 template <int dim>
 std::vector<std::string> remarks_on_bodies(const Scene& scene, const ImportedBody<dim>& part);

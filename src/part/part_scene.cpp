@@ -161,11 +161,6 @@ void require_partner(const Scene& scene) {
                      ": expected none beside [[pair]]: the meshes say where the bodies are");
 }
 
-bool has_small_strains(const std::vector<Body>& bodies) {
-  return std::ranges::all_of(
-      bodies, [](const Body& body) { return body.element.kinematics == Kinematics::small; });
-}
-
 /// All parts but the scales and where the shape is held, or all mistakes in them.
 template <int dim>
 AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim>& part) {
@@ -231,7 +226,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
         surface.track = read_track(scene, surface, parts);
       }
   }
-  if (auto& rolling = parts.interface.rolling) rolling->linear = has_small_strains(parts.bodies);
+  if (motion.rolling) parts.interface.rolling->linear = has_small_strains(parts.bodies);
   for (Surface<dim>& surface : parts.interface.surfaces)
     if (motion.rolling) surface.track = read_track(scene, surface, parts);
   parts.interface.friction_factor = read_friction_factor(scene, parts);

@@ -8,6 +8,8 @@
 #include <gnomon/scene/keys.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
 
+#include "part/bodies.hpp"
+
 namespace gnomon::part {
 
 std::vector<Key> rolling_keys() {
@@ -132,9 +134,10 @@ double half_width_of(const Scales& scales) {
 }  // namespace
 
 template <int dim>
-Rolling<dim> rolling_of(const MortarPair<dim>& pair) {
-  const Vector<dim>& V = pair.velocities[0];
-  return {.velocity = V, .creepage = (V - pair.velocities[1]) / V.norm()};
+Rolling<dim> rolling_of(const AssemblyParts<dim>& parts) {
+  const auto& [V, other] = parts.pairs.front().velocities;
+  return {
+      .velocity = V, .creepage = (V - other) / V.norm(), .linear = has_small_strains(parts.bodies)};
 }
 
 template <int dim>
@@ -156,7 +159,7 @@ void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
   }
   require_steady_bodies(scene);
   parts.interface.sticks = false;
-  parts.interface.rolling = rolling_of(parts.pairs.front());
+  parts.interface.rolling = rolling_of(parts);
 }
 
 template <int dim>
@@ -178,8 +181,8 @@ template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&,
                                                 const CounterBody<2>&);
 template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&,
                                                 const CounterBody<3>&);
-template Rolling<2> rolling_of(const MortarPair<2>&);
-template Rolling<3> rolling_of(const MortarPair<3>&);
+template Rolling<2> rolling_of(const AssemblyParts<2>&);
+template Rolling<3> rolling_of(const AssemblyParts<3>&);
 template void let_roll(const Scene&, AssemblyParts<2>&);
 template void let_roll(const Scene&, AssemblyParts<3>&);
 template void let_creep(const Scene&, const Vector<2>&, CounterBody<2>&);

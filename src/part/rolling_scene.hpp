@@ -34,9 +34,9 @@ double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expec
 template <int dim>
 void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts);
 
-/// Of the slave's material on the master.
+/// Of the slave's material on the master, of the first pair.
 template <int dim>
-Rolling<dim> rolling_of(const MortarPair<dim>& pair);
+Rolling<dim> rolling_of(const AssemblyParts<dim>& parts);
 
 /// Makes pairs that may stick, without a cycle, roll by the velocities of their bodies. Throws
 /// InputError where these do not roll.
