@@ -253,12 +253,12 @@ std::vector<AlgebraicStage> ComposedSystem<dim>::algebraic_stages() const {
         if (mine.data()[k] >= 0) stage.unknowns[mine.data()[k]] = whole.data()[k];
     }
     stage.freeze = [this, part = part.get()](double t, std::span<const double> y) {
-      if (composition_->remember) {
-        FieldValues<dim> now = values(t, y);
+      FieldValues<dim> now = values(t, y);
+      if (!part->structure_.remembered.empty()) {
         composition_->remember(*this, {.t = t, .y = y}, now);
-        values_ = std::move(now);
+        values_ = now;
       }
-      part->freeze(values(t, y), t);
+      part->freeze(std::move(now), t);
     };
     stage.system = std::move(part);
     stages.push_back(std::move(stage));

@@ -20,8 +20,8 @@ struct Composition {
   std::vector<PrescribedValues> prescribed;
   /// Blocks of the algebraic stages, in the order in which they are solved.
   std::vector<BlockSelection> stages;
-  /// Called with the whole system whenever a stage is frozen: sets fields without unknowns by the
-  /// state of then.
+  /// Called with the whole system whenever a stage that has Structure::remembered is frozen: sets
+  /// fields without unknowns by the state of then.
   std::function<void(const ComposedSystem<dim>& whole, const Point& at, FieldValues<dim>& values)>
       remember;
   std::vector<std::array<double, 3>> position;  ///< of the mesh nodes, initial [length]
