@@ -100,6 +100,11 @@ Groups divided(const Groups& groups, double tolerance, const Value& value) {
   return result;
 }
 
+template <int dim>
+Vector<dim> edge(const Mesh<dim>& mesh, int from, int to) {
+  return mesh.nodes[static_cast<std::size_t>(to)] - mesh.nodes[static_cast<std::size_t>(from)];
+}
+
 /// Lines that the edges of a surface follow, where it is curved along them; empty where they fork.
 template <int dim>
 Groups followed_lines(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
@@ -109,10 +114,9 @@ Groups followed_lines(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim
   for (const auto& facet : facets)
     for (std::size_t k = 0; k < facet.size(); ++k) {
       int a = facet[k], b = facet[(k + 1) % facet.size()];
-      const Vector<dim> edge =
-          mesh.nodes[static_cast<std::size_t>(b)] - mesh.nodes[static_cast<std::size_t>(a)];
-      if (std::abs(edge.dot(along)) < least * edge.norm() || a == b) continue;
-      if (edge.dot(along) < 0) std::swap(a, b);
+      const Vector<dim> way = edge(mesh, a, b);
+      if (std::abs(way.dot(along)) < least * way.norm() || a == b) continue;
+      if (way.dot(along) < 0) std::swap(a, b);
       next[a].insert(b);
       before[b].insert(a);
     }
@@ -131,13 +135,11 @@ Groups followed_lines(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim
 template <int dim>
 bool is_straight(const Mesh<dim>& mesh, const std::vector<int>& line) {
   constexpr double rounding = 1e-6;
-  const auto edge = [&](std::size_t k) -> Vector<dim> {
-    return (mesh.nodes[static_cast<std::size_t>(line[k])] -
-            mesh.nodes[static_cast<std::size_t>(line[k - 1])])
-        .normalized();
+  const auto direction = [&](std::size_t k) -> Vector<dim> {
+    return edge(mesh, line[k - 1], line[k]).normalized();
   };
   for (std::size_t k = 2; k < line.size(); ++k)
-    if ((edge(k) - edge(1)).norm() > rounding) return false;
+    if ((direction(k) - direction(1)).norm() > rounding) return false;
   return true;
 }
 
@@ -146,10 +148,7 @@ template <int dim>
 double mean_length(const Mesh<dim>& mesh, const Groups& lines) {
   double sum = 0;
   for (const std::vector<int>& line : lines)
-    for (std::size_t k = 1; k < line.size(); ++k)
-      sum += (mesh.nodes[static_cast<std::size_t>(line[k])] -
-              mesh.nodes[static_cast<std::size_t>(line[k - 1])])
-                 .norm();
+    for (std::size_t k = 1; k < line.size(); ++k) sum += edge(mesh, line[k - 1], line[k]).norm();
   return sum / static_cast<double>(lines.size());
 }
 

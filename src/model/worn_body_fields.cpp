@@ -126,6 +126,15 @@ bool held_on_partner(const Assembly<dim>& body, int node, int direction) {
   return held;
 }
 
+/// Of a phase, at the contact nodes.
+Block of_friction(const char* name, const char* symbol, std::size_t phase) {
+  return {.name = name,
+          .symbol = symbol,
+          .where = "contact nodes",
+          .role = Role::friction,
+          .owner = static_cast<int>(phase)};
+}
+
 /// Vectors at the contact nodes that carry a multiplier, in a block of their own.
 template <int dim>
 Field contact_vectors(const Assembly<dim>& body, const Block& own, FieldSet& set) {
@@ -201,13 +210,8 @@ void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
     for (int i = 0; i < dim; ++i)
       if (held_on_partner(*assembly_, assembly_->contact_nodes[c].node, i)) held.emplace_back(c, i);
   for (std::size_t p = 0; p < phases_.size(); ++p) {
-    Field traction = contact_vectors(*assembly_,
-                                     {.name = "friction_multiplier",
-                                      .symbol = "lambda_T",
-                                      .where = "contact nodes",
-                                      .role = Role::friction,
-                                      .owner = static_cast<int>(p)},
-                                     set);
+    Field traction =
+        contact_vectors(*assembly_, of_friction("friction_multiplier", "lambda_T", p), set);
     for (const auto& [c, i] : held) traction.block(static_cast<Eigen::Index>(c), i) = -1;
     traction.row_scale.setConstant(scales.displacement);
     traction.unknown_scale.setConstant(scales.stress);
@@ -242,13 +246,7 @@ void WornBodyEquations<dim>::add_memory(double slip, const Scales& scales, Field
 template <int dim>
 void WornBodyEquations<dim>::add_places(double slip, FieldSet& set) {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
-    Field place = contact_vectors(*assembly_,
-                                  {.name = "place_on_partner",
-                                   .symbol = "r",
-                                   .where = "contact nodes",
-                                   .role = Role::friction,
-                                   .owner = static_cast<int>(p)},
-                                  set);
+    Field place = contact_vectors(*assembly_, of_friction("place_on_partner", "r", p), set);
     place.row_scale.setConstant(slip);
     place.unknown_scale.setConstant(slip);
     fields_[p].place = set.add(std::move(place));
