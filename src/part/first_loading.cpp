@@ -68,8 +68,7 @@ std::string history_that_matters(const AssemblyParts<dim>& parts) {
   if (most < little) return {};
   return fmt::format(
       "pressures move the bodies along their contact, since they are unlike (Dundurs' beta is "
-      "{:.2g}): tractions where it sticks, and slip by about a percent, depend on the first "
-      "loading "
+      "{:.2g}): tractions where it sticks, and slip by some percent, depend on the first loading "
       "(cycle.loading.press and .others)",
       most);
 }

@@ -108,13 +108,13 @@ struct Surface {
   std::optional<Track<dim>> track{};
 };
 
-/// Contact of the bodies with a rigid partner.
 /// On the way of the first loading of a path: parts of the forces where the path begins.
 struct LoadingStep {
   double press = 1;   ///< of loads and what presses
   double others = 1;  ///< of forces along other guides, and of swinging loads
 };
 
+/// Contact of the bodies with a rigid partner.
 template <int dim>
 struct Interface {
   /// They share no facet. A node of two of them wears by the law of the first.
