@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <gnomon/base/error.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <gnomon/scene/keys.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 
 #include "expressions/expression_tables.hpp"

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/scene/keys.hpp>
 
 namespace gnomon::part {
 
