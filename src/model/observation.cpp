@@ -62,7 +62,8 @@ std::string meaning_of(std::string_view name) {
     return "volume that this body has lost, from its geometry; of a track along all of its path";
   if (of_body("wear_flux_")) return "sum of area times wear rate of this body";
   if (of_body("creepage_"))
-    return "velocity of the body's material relative to the counter-body, by that of rolling";
+    return "velocity of the body's material relative to the counter-body, of pairs of the first "
+           "body's relative to the second's, by that of rolling";
   const auto quantity = std::ranges::find(table, name, &Quantity::name);
   return quantity == table.end() ? std::string() : std::string(quantity->meaning);
 }

@@ -31,13 +31,8 @@ PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<
 
 template <int dim>
 void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
-                     const std::vector<ContactNode<dim>>& nodes, const PartnerMotion<>& q,
+                     const std::vector<ContactNode<dim>>& nodes, const Vector<dim>& creepage,
                      int units, Observation& observed) {
-  Vector<dim> creepage = assembly.interface.rolling->creepage;
-  const std::vector<Guide<dim>>& guides = assembly.interface.partner.guides;
-  for (std::size_t k = 0; k < guides.size(); ++k)
-    if (guides[k].creeps())
-      creepage += q[static_cast<Eigen::Index>(k)] / guides[k].creep * guides[k].along;
   for (int i = 0; i < dim; ++i)
     observed.push_back({fmt::format("creepage_{}", "xyz"[i]), "", creepage[i]});
   const PowerOfRolling power = power_of_rolling(assembly, moved, nodes);
@@ -50,10 +45,10 @@ template PowerOfRolling power_of_rolling(const Assembly<2>&, const NodalField<2>
 template PowerOfRolling power_of_rolling(const Assembly<3>&, const NodalField<3>&,
                                          const std::vector<ContactNode<3>>&);
 template void observe_rolling(const Assembly<2>&, const NodalField<2>&,
-                              const std::vector<ContactNode<2>>&, const PartnerMotion<>&, int,
+                              const std::vector<ContactNode<2>>&, const Vector<2>&, int,
                               Observation&);
 template void observe_rolling(const Assembly<3>&, const NodalField<3>&,
-                              const std::vector<ContactNode<3>>&, const PartnerMotion<>&, int,
+                              const std::vector<ContactNode<3>>&, const Vector<3>&, int,
                               Observation&);
 
 }  // namespace gnomon

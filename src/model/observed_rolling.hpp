@@ -22,11 +22,10 @@ template <int dim>
 PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
                                 const std::vector<ContactNode<dim>>& nodes);
 
-/// Appends creepage_x, ..., friction_power and stick_area. `q`: the motion of the partner; `units`:
-/// as for common().
+/// Appends creepage_x, ..., friction_power and stick_area. `units`: as for common().
 template <int dim>
 void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
-                     const std::vector<ContactNode<dim>>& nodes, const PartnerMotion<>& q,
+                     const std::vector<ContactNode<dim>>& nodes, const Vector<dim>& creepage,
                      int units, Observation& observed);
 
 }  // namespace gnomon

@@ -306,6 +306,7 @@ State WearModel<dim>::start(Counters& counters) const {
     values.scalar(to.lambda) = of_phase.scalar(from.lambda);
     if (to.w != FieldId::none) values.scalar(to.w) = of_phase.scalar(from.w);
     if (to.traction != FieldId::none) values.vector(to.traction) = of_phase.vector(from.traction);
+    if (to.creepage != FieldId::none) values.vector(to.creepage) = of_phase.vector(from.creepage);
     if (to.place != FieldId::none) values.vector(to.place) = of_phase.vector(from.place);
   }
   State state;

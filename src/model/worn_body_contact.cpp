@@ -142,6 +142,7 @@ MortarPath<dim> WornBodyEquations<dim>::mortar_path(std::size_t p) const {
 /// displacements.
 template <int dim>
 MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
+  const Rolling<dim>& rolling = *assembly_->interface.rolling;
   const std::size_t count = assembly_->contact_nodes.size();
   const std::vector<Upstream> upstream = upstream_of(*assembly_);
   MortarPath<dim> path{.traction = fields().traction,
@@ -151,8 +152,9 @@ MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
                        .lambda_before = fields().lambda,
                        .rho = rho_of_rolling(*assembly_, upstream),
                        .interval = std::vector<double>(count, 1),
-                       .flat = assembly_->interface.rolling->linear,
-                       .factor = assembly_->interface.friction_factor};
+                       .flat = rolling.linear,
+                       .factor = assembly_->interface.friction_factor,
+                       .creepage = fields().creepage};
   for (const MortarPair<dim>& pair : assembly_->pairs) {
     const std::set<int> slaves = nodes_of_facets(pair.slave);
     for (const Upstream& at : upstream) {
@@ -164,8 +166,12 @@ MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
       if (path.flat) way -= pair.approach * pair.approach.dot(way);
       path.interval[c] = way.norm() / pair.velocities[0].norm();
       // dt V^1 along the surface, which may be curved.
+      const Vector<dim> turned =
+          rolling.spin *
+          (assembly_->mesh.nodes[static_cast<std::size_t>(at.node)] - rolling.centre);
       path.passed.row(static_cast<Eigen::Index>(c)) =
-          (way - path.interval[c] * pair.velocities[1]).transpose();
+          (way - path.interval[c] * pair.velocities[1] + way.norm() * turned).transpose();
+      if (path.creepage != FieldId::none) path.before[c].push_back({path.creepage, 0, -way.norm()});
     }
   }
   return path;

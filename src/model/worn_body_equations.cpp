@@ -91,6 +91,21 @@ NodalField<dim> WornBodyEquations<dim>::moved_on_partner(const FieldValues<dim>&
 }
 
 template <int dim>
+Vector<dim> WornBodyEquations<dim>::creepage(const FieldValues<dim>& values) const {
+  Vector<dim> sum = assembly_->interface.rolling->creepage;
+  if (const FieldId unknown = fields().creepage; unknown != FieldId::none)
+    sum += values.vector(unknown).row(0).transpose();
+  const std::vector<Guide<dim>>& guides = phases_.front().counter_body.guides;
+  for (std::size_t k = 0; k < guides.size(); ++k)
+    if (guides[k].creeps())
+      sum += values.scalar(fields().w)[static_cast<Eigen::Index>(k)] / guides[k].creep *
+             guides[k].along;
+  if (assembly_->pairs.empty()) return sum;
+  const auto& [slave, master] = assembly_->pairs.front().numbers;
+  return slave < master ? sum : Vector<dim>(-sum);
+}
+
+template <int dim>
 NodalField<dim> WornBodyEquations<dim>::carried(const Phase<dim>& phase) const {
   NodalField<dim> result(static_cast<Eigen::Index>(assembly_->contact_nodes.size()), dim);
   for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
@@ -104,6 +119,7 @@ NodalField<dim> WornBodyEquations<dim>::carried(const Phase<dim>& phase) const {
 template <int dim>
 void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   for (std::size_t p = 0; p < phases_.size(); ++p) add_equilibrium(p, terms);
+  add_forces_of_rolling(terms);
   if (!assembly_->shape.gap)
     add(terms, TermKind::mesh_motion, 0,
         [of = assembly_, f = fields()](const Numbering& numbering) {
@@ -183,6 +199,18 @@ void WornBodyEquations<dim>::add_equilibrium(std::size_t p, std::vector<TermFact
                      : std::make_unique<Loads<dim>>(numbering, f.w, along, factors, Purpose::acts);
         });
   }
+}
+
+/// The rows of the creepages that forces determine, without contact.
+template <int dim>
+void WornBodyEquations<dim>::add_forces_of_rolling(std::vector<TermFactory<dim>>& terms) {
+  if (fields().creepage == FieldId::none) return;
+  NodalField<dim> force = NodalField<dim>::Zero(1, dim);
+  for (int i = 0; i < dim; ++i) force(0, i) = assembly_->interface.rolling->force[i].value_or(0);
+  add(terms, TermKind::press, 0, [field = fields().creepage, force](const Numbering& numbering) {
+    return std::make_unique<Loads<dim>>(numbering, field, force, LoadHistory{},
+                                        Loads<dim>::Purpose::acts);
+  });
 }
 
 /// Where the other ends move by c(t) u^, k A^ (u - c u^): the springs, and the force c k A^ u^.

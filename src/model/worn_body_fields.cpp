@@ -86,6 +86,19 @@ Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, con
   return w;
 }
 
+/// Its components that forces determine, of pairs.
+template <int dim>
+FieldId add_creepage(const Rolling<dim>& rolling, std::size_t nodes, const Scales& scales,
+                     FieldSet& set) {
+  const int block = set.add({"creepage", "xi", "bodies", Role::rigid});
+  Field creepage("creepage", {static_cast<int>(nodes)}, dim);
+  for (int i = 0; i < dim; ++i)
+    if (rolling.force[i]) creepage.block(0, i) = block;
+  creepage.row_scale.setConstant(scales.force);
+  creepage.unknown_scale.setConstant(rolling.creepage_scale);
+  return set.add(std::move(creepage));
+}
+
 /// How far the partner moves over the phases; without such a motion, what friction shears the
 /// contact [length].
 template <int dim>
@@ -192,6 +205,9 @@ FieldSet WornBodyEquations<dim>::make_fields() {
     add_friction(scales, set);
     if (assembly_->interface.sticks) add_memory(slip, scales, set);
     if (!assembly_->pairs.empty()) add_places(slip, set);
+    if (assembly_->interface.rolling && assembly_->interface.rolling->creeps())
+      fields_.front().creepage =
+          add_creepage(*assembly_->interface.rolling, assembly_->mesh.nodes.size(), scales, set);
   }
   if (assembly_->shape.constraint == ConstraintForm::multiplier) {
     const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});

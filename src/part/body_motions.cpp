@@ -24,6 +24,12 @@ std::vector<Key> motion_keys_of_bodies() {
                     "point of the axis of rotation"),
           reals_key("motion.#.axis", "", absent("no rotation in space"), {},
                     "in space: direction of the axis of rotation, of any length"),
+          real_key("motion.#.force", "N, in the plane N/mm", absent("the velocity is given"),
+                   any_quantity,
+                   "where bodies roll: on the body along its velocity, which it determines; above "
+                   "zero it drives, zero rolls freely (docs/rolling.md)"),
+          real_key("motion.#.force_across", "N", absent("the velocity is given"), any_quantity,
+                   "in space: the same along the axis across the velocity"),
           cycle_function_key(
               "motion.#.cycle.x", "mm",
               std::string("displacement of the body along x over a cycle") + cycle_function_form),
@@ -132,6 +138,33 @@ std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene,
   return motions;
 }
 
+template <int dim>
+RollingBody<dim> read_rolling_body(const Scene& scene, const std::string& body) {
+  RollingBody<dim> result;
+  for (const std::string& table : entries_of(scene, "motion", motion_keys_of_bodies(), {"body"})) {
+    if (scene.text(table + ".body") != body) continue;
+    result.table = table;
+    const RigidMotion<dim> along = read_velocity<dim>(scene, table + ".velocity");
+    if (along.across != 0) refuse(scene, table + ".velocity", "two numbers where bodies roll");
+    result.velocity = along.velocity;
+    for (std::size_t k = 0; k < 2; ++k)
+      if (const std::string key = table + (k == 0 ? ".force" : ".force_across"); scene.given(key))
+        result.force[k] = scene.real(key);
+    const std::string rotation = table + ".rotation";
+    if (!scene.given(rotation) || scene.real(rotation) == 0) continue;
+    if (dim == 2)
+      refuse(scene, rotation,
+             "none in the plane where bodies roll: the velocity is that of the material where it "
+             "touches");
+    const CycleAxis<dim> axis = read_axis<dim>(scene, table, rotation, Section::plane);
+    result.spin = scene.real(rotation) * axis.spin;
+    result.centre = axis.centre;
+  }
+  return result;
+}
+
+template RollingBody<2> read_rolling_body(const Scene&, const std::string&);
+template RollingBody<3> read_rolling_body(const Scene&, const std::string&);
 template std::map<std::string, BodyCycle<2>> read_motions_of_bodies(const Scene&, Section);
 template std::map<std::string, BodyCycle<3>> read_motions_of_bodies(const Scene&, Section);
 

@@ -2,9 +2,11 @@
 // [[motion]].
 #pragma once
 
+#include <array>
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,5 +17,20 @@ std::vector<Key> motion_keys_of_bodies();
 /// By name of the body that moves. Throws InputError.
 template <int dim>
 std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene, Section section);
+
+/// A body in steady rolling: its material where it touches.
+template <int dim>
+struct RollingBody {
+  Vector<dim> velocity = Vector<dim>::Zero();  ///< [length / time]
+  Tensor<dim> spin = Tensor<dim>::Zero();      ///< about `centre` [1 / time]
+  Vector<dim> centre = Vector<dim>::Zero();
+  /// On the body along its velocity and across it; given: it determines the velocity [force].
+  std::array<std::optional<double>, 2> force = {};
+  std::string table = {};  ///< of the scene; empty: it is at rest
+};
+
+/// By its name. Throws InputError.
+template <int dim>
+RollingBody<dim> read_rolling_body(const Scene& scene, const std::string& body);
 
 }  // namespace gnomon::part

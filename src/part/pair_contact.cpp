@@ -182,7 +182,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
                     pair.bodies[0], pair.bodies[1], pair.slave.size(), reason));
   }
   tell_slaves_apart(scene, parts.pairs);
-  if (parts.interface.rolling) parts.interface.rolling = rolling_of(parts);
+  if (parts.interface.rolling) parts.interface.rolling = rolling_of(scene, parts);
   parts.interface.partner.approach = parts.pairs.front().approach;
   std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);
   for (Surface<dim>& surface : surfaces)

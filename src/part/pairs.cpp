@@ -278,9 +278,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
         .friction = scene.given(table + ".friction") ? scene.real(table + ".friction")
                                                      : scene.real("friction.coefficient"),
         .bodies = names,
-        .numbers = bodies,
-        .velocities = {motion_of(motions, names[0]).velocity,
-                       motion_of(motions, names[1]).velocity}};
+        .numbers = bodies};
     pair.reach =
         (Box<dim>::around(parts.mesh.nodes).high - Box<dim>::around(parts.mesh.nodes).low).norm();
     pair.boundary = {pair.slave, pair.master};

@@ -9,6 +9,7 @@
 #include <gnomon/shapes/shape_keys.hpp>
 
 #include "part/bodies.hpp"
+#include "part/body_motions.hpp"
 
 namespace gnomon::part {
 
@@ -133,33 +134,93 @@ double half_width_of(const Scales& scales) {
 
 }  // namespace
 
+namespace {
+
+constexpr double near_axis = 1e-6;
+
+/// The axis along which a vector points, or -1.
 template <int dim>
-Rolling<dim> rolling_of(const AssemblyParts<dim>& parts) {
-  const auto& [V, other] = parts.pairs.front().velocities;
-  return {
+int axis_along(const Vector<dim>& v) {
+  Eigen::Index axis = 0;
+  const double most = v.cwiseAbs().maxCoeff(&axis);
+  return (v - v[axis] * Vector<dim>::Unit(axis)).norm() < near_axis * most ? static_cast<int>(axis)
+                                                                           : -1;
+}
+
+/// Makes the creepage unknown along what a force on the slave, or `reversed` on the master,
+/// determines.
+template <int dim>
+void read_forces(const Scene& scene, const RollingBody<dim>& body, const MortarPair<dim>& pair,
+                 bool reversed, Rolling<dim>& rolling) {
+  const int along = axis_along<dim>(body.velocity), into = axis_along<dim>(pair.approach);
+  const auto take = [&](const std::string& key, int axis, double value) {
+    if (rolling.force[axis])
+      refuse(scene, key, "a force on one of the two bodies: the other one has its opposite");
+    rolling.force[axis] = reversed ? -value : value;
+  };
+  const auto [drives, across] = body.force;
+  const std::string key = body.table + ".force", sideways = key + "_across";
+  if (drives && along < 0) refuse(scene, key, "a velocity along an axis of the scene beside it");
+  if (drives) take(key, along, std::copysign(1.0, body.velocity[along]) * *drives);
+  if (!across) return;
+  if (dim == 2) refuse(scene, sideways, "none in the plane");
+  if (along < 0 || into < 0 || along == into)
+    refuse(scene, sideways, "a velocity and a load along axes of the scene beside it");
+  take(sideways, 3 - along - into, *across);
+}
+
+/// About the normal of the contact, of one of the bodies.
+template <int dim>
+void read_spin(const Scene& scene, const RollingBody<dim>& body, const Vector<dim>& approach,
+               double rate, Rolling<dim>& rolling) {
+  if (body.spin.isZero(0)) return;
+  const std::string key = body.table + ".rotation";
+  if ((body.spin * approach).norm() > along_surface * body.spin.norm())
+    refuse(scene, key,
+           "a rotation about the normal of the contact where bodies roll: that about the axle is "
+           "the velocity of the material where it touches");
+  if (!rolling.spin.isZero(0)) refuse(scene, key, "a rotation of one of the two bodies");
+  rolling.spin = rate * body.spin;
+  rolling.centre = body.centre;
+}
+
+}  // namespace
+
+template <int dim>
+Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts) {
+  const MortarPair<dim>& pair = parts.pairs.front();
+  const auto& [V, other] = pair.velocities;
+  Rolling<dim> rolling{
       .velocity = V, .creepage = (V - other) / V.norm(), .linear = has_small_strains(parts.bodies)};
+  for (const bool master : {false, true}) {
+    const auto body = read_rolling_body<dim>(scene, pair.bodies[master]);
+    read_forces(scene, body, pair, master, rolling);
+    read_spin(scene, body, pair.approach, (master ? -1 : 1) / V.norm(), rolling);
+  }
+  if (parts.pairs.size() > 1 && (rolling.creeps() || !rolling.spin.isZero(0)))
+    throw InputError(scene.path().string() +
+                     ": [[motion]]: expected velocities alone where several pairs roll, and no "
+                     "force or rotation");
+  return rolling;
 }
 
 template <int dim>
 void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
-  for (const MortarPair<dim>& pair : parts.pairs) {
+  for (MortarPair<dim>& pair : parts.pairs) {
+    for (std::size_t side = 0; side < 2; ++side)
+      pair.velocities[side] = read_rolling_body<dim>(scene, pair.bodies[side]).velocity;
     for (const Vector<dim>& V : pair.velocities)
       if (!(V.norm() > 0))
         throw InputError(fmt::format(
             "{}: [[pair]]: expected also [cycle] beside stick, or a [[motion]] of both \"{}\" and "
             "\"{}\", by whose velocities they roll on each other",
             scene.path().string(), pair.bodies[0], pair.bodies[1]));
-    if (!pair.motion.spin.isZero(0) || pair.motion.across != 0)
-      throw InputError(
-          scene.path().string() +
-          ": [[motion]]: expected a velocity along the contact, and no rotation, of bodies "
-          "that roll: that of the material of a wheel, where it touches");
     if (!(pair.friction > 0))
       refuse(scene, "friction.coefficient", "a coefficient above zero where bodies roll");
   }
   require_steady_bodies(scene);
   parts.interface.sticks = false;
-  parts.interface.rolling = rolling_of(parts);
+  parts.interface.rolling = rolling_of(scene, parts);
 }
 
 template <int dim>
@@ -175,14 +236,16 @@ template <int dim>
 void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts) {
   for (Guide<dim>& guide : parts.interface.partner.guides)
     if (guide.creeps()) guide.creep = half_width_of<dim>(expected.scales);
+  parts.interface.rolling->creepage_scale =
+      expected.scales.displacement / half_width_of<dim>(expected.scales);
 }
 
 template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&,
                                                 const CounterBody<2>&);
 template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&,
                                                 const CounterBody<3>&);
-template Rolling<2> rolling_of(const AssemblyParts<2>&);
-template Rolling<3> rolling_of(const AssemblyParts<3>&);
+template Rolling<2> rolling_of(const Scene&, const AssemblyParts<2>&);
+template Rolling<3> rolling_of(const Scene&, const AssemblyParts<3>&);
 template void let_roll(const Scene&, AssemblyParts<2>&);
 template void let_roll(const Scene&, AssemblyParts<3>&);
 template void let_creep(const Scene&, const Vector<2>&, CounterBody<2>&);

@@ -30,13 +30,13 @@ void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>&
 template <int dim>
 double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expected);
 
-/// Half of the width of the contact, by which unknown creepages are scaled [length].
+/// Scales unknown creepages by half of the width of the contact.
 template <int dim>
 void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts);
 
-/// Of the slave's material on the master, of the first pair.
+/// Of the slave's material on the master, of the first pair. Throws InputError.
 template <int dim>
-Rolling<dim> rolling_of(const AssemblyParts<dim>& parts);
+Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts);
 
 /// Makes pairs that may stick, without a cycle, roll by the velocities of their bodies. Throws
 /// InputError where these do not roll.

@@ -135,7 +135,9 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
                       fmt::format("expected a [[motion]] with body = \"{}\", which has none: along "
                                   "a track its material passes the contact",
                                   body));
-  const auto along = streamlines_of(motion->second.motion);
+  const std::optional<Streamlines<dim>> along =
+      rolling ? Streamlines<dim>{read_rolling_body<dim>(scene, body).velocity.normalized()}
+              : streamlines_of(motion->second.motion);
   if (along) require_motion_along(scene, surface, parts.mesh, *along);
   if (!along)
     throw unfit_track(

@@ -36,6 +36,9 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
             k < parts.size() ? numbering.number(parts[k].field, parts[k].row, i) : -1);
       }
   }
+  if (state.path && state.path->creepage != FieldId::none)
+    for (int i = 0; i < dim; ++i)
+      creepage_numbers_.push_back(numbering.number(state.path->creepage, 0, i));
   if (state.path && state.path->is_last)
     memory_numbers_ = numbering.nodal<dim>(state.path->memory.s);
   for (const MortarPair<dim>& pair : state.pairs) places_.emplace_back(pair, state.places);
@@ -143,6 +146,8 @@ void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pat
     for (int i = 0; state_.path && i < dim; ++i) constraints.push_back(place_number(side, i));
   }
   pattern.add(constraints, numbers_of(joined.all, false));
+  pattern.add(creepage_numbers_, own_columns);
+  pattern.add(creepage_numbers_, numbers_of(joined.all, false));
   pattern.add(numbers_of(masters, true), own_columns);
   nodes.add(own, joined.all);
   nodes.add(masters, own);
@@ -217,6 +222,8 @@ void MortarTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> 
         F[row] += weight(side) * state.rate.value * state.area * state.direction->value[i];
     }
     if (!side.slave) continue;
+    for (std::size_t i = 0; i < creepage_numbers_.size(); ++i)
+      if (const int row = creepage_numbers_[i]; row >= 0) F[row] += state.force[long(i)];
     if (state_.path) add_path_residual(at, side, state, F);
     if (const int row = lambda_number(side); row >= 0)
       F[row] += holds_gap(state) ? state.gap / own.initial_area
@@ -289,7 +296,9 @@ void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& fac
     for (int b = 0; b < corners; ++b)
       add_master(facet, state, static_cast<int>(k), b,
                  side_of(facet.pair, state_.pairs[facet.pair].master[covering[k]][b]), matrix);
-  add(rows_of(facet, nodes), columns_of(facet, nodes), matrix.values(), values);
+  const std::vector<int> columns = columns_of(facet, nodes);
+  add(rows_of(facet, nodes), columns, matrix.values(), values);
+  add(creepage_numbers_, columns, matrix.force_on_slave(), values);
 }
 
 template <int dim>

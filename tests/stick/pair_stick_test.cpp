@@ -410,8 +410,35 @@ TEST_F(PairRolling, BothSurfacesWearAlongTheirTracks) {
   EXPECT_NEAR(std::ranges::max(surface.wear_depth) / (worn / 50), 1, 0.02);
 }
 
+/// A force on either body finds the creepage that makes it, and the opposite one its mirror image.
+TEST_F(PairRolling, AForceFindsItsCreepage) {
+  constexpr double creepage = 5e-4;
+  Counters counters;
+  const auto given = this->model(rolling_cap(1000 * (1 + creepage)), {});
+  const double power = observed(*given, given->start(counters), "friction_power");
+  const double force = observed(*given, given->start(counters), "force_support_3_x");
+  const auto found = [&](const std::string& body, double of) {
+    const auto model =
+        this->model(rolling_cap(1000), {fmt::format("motion.{}.force={:.15g}", body, of)});
+    const State start = model->start(counters);
+    EXPECT_NEAR(std::abs(observed(*model, start, "force_support_3_x") / of), 1, 1e-8);
+    return std::pair(observed(*model, start, "creepage_x"),
+                     observed(*model, start, "friction_power"));
+  };
+  const auto [driven, driven_power] = found("1", force);
+  EXPECT_NEAR(driven / creepage, 1, 1e-3);  // by the velocity of the one body or of the other
+  EXPECT_NEAR(driven_power / power, 1, 1e-3);
+  const auto [beside, beside_power] = found("2", -force);
+  EXPECT_NEAR(beside / driven, 1, 1e-8);
+  EXPECT_NEAR(beside_power / driven_power, 1, 1e-8);
+  EXPECT_NEAR(found("1", -force).first / driven, -1, 0.03);
+}
+
 TEST_F(PairRolling, WhatDoesNotGoTogetherIsRefused) {
   std::string text = rolling_cap(1000);
+  expect_refused(text, {"motion.1.force=1", "motion.2.force=1"}, "a force on one of the two");
+  expect_refused(text, {"motion.1.force_across=1"}, "none in the plane");
+  expect_refused(text, {"motion.1.rotation=1", "motion.1.center=[0.0, 0.0]"}, "none in the plane");
   expect_refused(text, {"shape.constraint=multiplier"}, "where bodies roll");
   expect_refused(text, {"pair.1.friction=0"}, "a coefficient above zero where bodies roll");
   expect_refused(text, {"motion.1.velocity=[0.0, 0.0]"}, "by whose velocities they roll");
@@ -458,7 +485,10 @@ template <int dim>
 AssemblyParts<dim> rolling(const TwoBodies& pair) {
   AssemblyParts<dim> parts = two_bodies<dim>(pair);
   const Vector<dim> V = Vector<dim>::Unit(0);
-  parts.interface.rolling = Rolling<dim>{.velocity = V};
+  Rolling<dim> rolling{.velocity = V, .creepage_scale = 0.01};
+  rolling.force.front() = 0.01;
+  if constexpr (dim == 3) rolling.spin = spin_about(Vector<3>::UnitZ(), 0.02);
+  parts.interface.rolling = rolling;
   parts.pairs.front().velocities = {V, 1.01 * V};
   for (Surface<dim>& surface : parts.interface.surfaces) {
     surface.track = Track<dim>{{V}, 100};

@@ -23,6 +23,7 @@ struct WornBodyFields {
       FieldId::none;  ///< rigid motion of the counter-body, a single value; only under a force
   FieldId traction = FieldId::none;  ///< lambda_T, contact nodes; only where friction may stick
   FieldId place = FieldId::none;     ///< r, contact nodes; only there, in pairs
+  FieldId creepage = FieldId::none;  ///< xi, of pairs that roll under a force along the contact
   FieldId memory = FieldId::none;    ///< s, that of all phases; differential; only there
 };
 
@@ -98,6 +99,9 @@ public:
   /// In steady rolling: what the partner is passed by beside rigid motion, displacements, of pairs
   /// their places on the partner, by node of the mesh [length].
   NodalField<dim> moved_on_partner(const FieldValues<dim>& values) const;
+  /// In steady rolling: the given creepage and what forces determine of it; of pairs that of the
+  /// first body relative to the second.
+  Vector<dim> creepage(const FieldValues<dim>& values) const;
   /// How far the partner's surface at every contact node is carried by a phase of a path: c of
   /// stick_node.hpp.
   NodalField<dim> carried(const Phase<dim>& phase) const;
@@ -126,6 +130,7 @@ private:
   void add_condensed(std::size_t phase, std::vector<TermFactory<dim>>& terms);
   void add_equilibrium(std::size_t phase, std::vector<TermFactory<dim>>& terms);
   void add_springs(const SpringSupport<dim>& springs, std::vector<TermFactory<dim>>& terms);
+  void add_forces_of_rolling(std::vector<TermFactory<dim>>& terms);
   /// `factor_in`: its factor in a phase.
   void add_load(const Load<dim>& load, const std::function<double(const Phase<dim>&)>& factor_in,
                 std::vector<TermFactory<dim>>& terms);

@@ -25,7 +25,10 @@
 //
 // p_i is then the mean of this phase and the one before, v_i = |slip| / interval. In steady rolling
 // (docs/rolling.md) there is one phase and no memory; the material of the slave was upstream
-// before, and the master's has gone on since, slip = r - sum_k f_k r_k + dt (V^1 - V^2).
+// before, and the master's has gone on since, slip = r - sum_k f_k r_k + dt (V^1 - V^2), where the
+// difference of the velocities may have unknown components |V| xi, each with a row
+//
+//   xi        sum_i D_i tau_i lambda_i - F = 0, of all slaves, along the component
 #pragma once
 
 #include <algorithm>
@@ -59,6 +62,7 @@ struct MortarPath {
   double share = 1;                       ///< StickParameters::share
   bool flat = false;                      ///< slopes are left out: small strains in rolling
   FrictionFactor factor{};                ///< of the coefficients of friction, by the slave
+  FieldId creepage = FieldId::none;       ///< xi, a part of `before`; its rows have the force F
 };
 
 /// All pairs of an assembly in one contact state. The referenced objects must outlive the term.
@@ -224,6 +228,7 @@ private:
   bool shape_is_unknown_;                      // else a node may touch where it could not wear
   std::vector<std::vector<int>> own_numbers_;  // of each contact node: those of its traction;
                                                // masters: -1
+  std::vector<int> creepage_numbers_;          // by component; empty: all are given
   std::size_t most_parts_ = 0;                 // of a place before
   NodalNumbers<dim> memory_numbers_;           // of the last phase of a path
   std::vector<int> contact_of_;                // by mesh node; -1: none

@@ -1,7 +1,10 @@
 // Steady rolling (docs/rolling.md): how material passes the partner.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <gnomon/base/tensor.hpp>
+#include <optional>
 
 namespace gnomon {
 
@@ -14,6 +17,15 @@ struct Rolling {
   Vector<dim> creepage = Vector<dim>::Zero();
   Vector<dim> centre = Vector<dim>::Zero();  ///< [length]
   Tensor<dim> spin = Tensor<dim>::Zero();    ///< skew, of the creepage by place [1 / length]
+
+  /// Of pairs: forces on the slave along the axes, beside those of contact. Where one is given, the
+  /// creepage along it is unknown, beside the given one [force].
+  std::array<std::optional<double>, dim> force = {};
+  double creepage_scale = 1;  ///< of unknown ones
+
+  bool creeps() const {
+    return std::ranges::any_of(force, [](const auto& of) { return of.has_value(); });
+  }
 
   /// Of bodies with small strains: slopes of the deformed surface are left out, whose squares are
   /// of the size of the strains' squares.
