@@ -169,6 +169,20 @@ void read_forces(const Scene& scene, const RollingBody<dim>& body, const MortarP
   take(sideways, 3 - along - into, *across);
 }
 
+/// The velocities of both bodies; alike along what a force determines, where the search begins.
+template <int dim>
+void read_velocities(const Scene& scene, MortarPair<dim>& pair) {
+  std::array<RollingBody<dim>, 2> bodies;
+  for (std::size_t side = 0; side < 2; ++side) {
+    bodies[side] = read_rolling_body<dim>(scene, pair.bodies[side]);
+    pair.velocities[side] = bodies[side].velocity;
+  }
+  for (std::size_t side = 0; side < 2; ++side)
+    for (int i = 0; i < dim; ++i)
+      if (bodies[side].force[i != axis_along<dim>(bodies[side].velocity)])
+        pair.velocities[side][i] = bodies[1 - side].velocity[i];
+}
+
 /// About the normal of the contact, of one of the bodies.
 template <int dim>
 void read_spin(const Scene& scene, const RollingBody<dim>& body, const Vector<dim>& approach,
@@ -207,8 +221,7 @@ Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts) {
 template <int dim>
 void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
   for (MortarPair<dim>& pair : parts.pairs) {
-    for (std::size_t side = 0; side < 2; ++side)
-      pair.velocities[side] = read_rolling_body<dim>(scene, pair.bodies[side]).velocity;
+    read_velocities(scene, pair);
     for (const Vector<dim>& V : pair.velocities)
       if (!(V.norm() > 0))
         throw InputError(fmt::format(
