@@ -78,6 +78,7 @@ py::dict dict_of(const ContactSurface& surface) {
   made["phase_slip"] = array(surface.phase_slip, {phases, nodes, surface.dim});
   if (!surface.phase_loop.empty())
     made["phase_loop"] = array(surface.phase_loop, {phases, 2 * surface.dim});
+  if (!surface.phase_turn.empty()) made["phase_turn"] = array(surface.phase_turn, {phases, 2});
   return made;
 }
 

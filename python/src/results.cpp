@@ -90,7 +90,8 @@ void add_results(py::module_& module) {
            "phase_position, "
            "phase_weight and phase_pressure [phases, nodes]; where friction may stick "
            "phase_traction and phase_slip [phases, nodes, dim], and phase_loop [phases, 2 dim], "
-           "the place of the counter-body and the force that moves it.")
+           "the place of the counter-body and the force that moves it, and where it turns "
+           "phase_turn [phases, 2], its angle and the moment.")
       .def_property_readonly("phase_errors", held([](const ResultReader& r) {
                                py::list errors;
                                for (const PhaseError& at : r.phase_errors())

@@ -205,8 +205,12 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (assembly().pairs.empty()) facts.overlap = find_overlap(equations_);
   if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);
   facts.lost_wear = find_lost_wear(assembly(), contacts);
-  if (assembly().interface.sticks)
+  if (assembly().interface.sticks) {
     facts.stick_area = cycle_of_slip(assembly(), contacts).stick_area;
+    if (!assembly().cycle->motion.cycle.rotation)
+      for (const PlaceAndForce<dim>& at : loop(values, state.t, contacts))
+        facts.turn = std::max(facts.turn, std::abs(at.angle));
+  }
   if (assembly().interface.rolling) {
     const PowerOfRolling power =
         power_of_rolling(assembly(), equations_.moved_on_partner(values), contacts.front().nodes);

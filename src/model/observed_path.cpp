@@ -51,9 +51,22 @@ Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase
 }  // namespace
 
 template <int dim>
+std::optional<AxisOfPath<dim>> axis_of_path(const Assembly<dim>& assembly) {
+  if (!assembly.pairs.empty()) return {};
+  const CounterBody<dim>& partner = assembly.interface.partner;
+  for (const Guide<dim>& guide : partner.guides)
+    if (guide.turns()) return AxisOfPath<dim>{guide.turn, guide.centre};
+  const CyclicMotion<dim>& motion = assembly.cycle->motion;
+  if (!motion.cycle.rotation) return {};
+  return AxisOfPath<dim>{motion.axis.spin, motion.axis.centre};
+}
+
+template <int dim>
 std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
     const FieldValues<dim>& values, double t, const std::vector<PhaseContact<dim>>& phases) const {
   const std::vector<char> counts = in_loop(assembly());
+  const std::optional<AxisOfPath<dim>> axis = axis_of_path(assembly());
+  const NodalField<dim> shape = equations_.shape_of_cells(values);
   std::vector<PlaceAndForce<dim>> result;
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const Phase<dim>& phase = equations_.phases()[p];
@@ -65,6 +78,19 @@ std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
     const PartnerMotion<> q = equations_.partner_motion(values, t, p);
     for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
       point.place += q[static_cast<Eigen::Index>(k)] * phase.counter_body.guides[k].along;
+    if (!axis) continue;
+    if (const auto& rotation = assembly().cycle->motion.cycle.rotation)
+      point.angle = rotation->value(phase.position);
+    for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
+      if (phase.counter_body.guides[k].turns()) point.angle = q[static_cast<Eigen::Index>(k)];
+    for (std::size_t c = 0; c < counts.size(); ++c) {
+      const ContactPatch<dim>& patch = assembly().contact_nodes[c];
+      const Vector<dim> x = patch.initial_position + shape.row(patch.node).transpose() +
+                            values.vector(equations_.fields(p).u).row(patch.node).transpose(),
+                        arm = phase.counter_body.seen(x, q) - axis->centre;
+      point.moment -= assembly().copies * phases[p].nodes[c].force.dot(axis->spin * arm);
+    }
+    point.moment = sum_over_processes(point.moment);
   }
   return result;
 }
@@ -107,11 +133,14 @@ void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<
   const Vector<dim>& normal = assembly.pairs.empty() ? assembly.interface.partner.approach
                                                      : assembly.pairs.front().approach;
   const auto along = [&](const Vector<dim>& v) { return (v - normal * normal.dot(v)).norm(); };
-  double stroke = 0, force = 0;
+  double stroke = 0, force = 0, twist = 0, moment = 0;
   for (const PlaceAndForce<dim>& at : loop) {
     force = std::max(force, along(at.force));
-    for (const PlaceAndForce<dim>& other : loop)
+    moment = std::max(moment, std::abs(at.moment));
+    for (const PlaceAndForce<dim>& other : loop) {
       stroke = std::max(stroke, along(at.place - other.place));
+      twist = std::max(twist, at.angle - other.angle);
+    }
   }
   const CycleOfSlip slip = cycle_of_slip(assembly, phases);
   observed.push_back(common("friction_work", slip.work, units));
@@ -119,8 +148,13 @@ void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<
   observed.push_back(common("stick_area", slip.stick_area, units));
   observed.push_back(common("stroke", stroke));
   observed.push_back(common("friction_force", force, units));
+  if (!axis_of_path(assembly)) return;
+  observed.push_back(common("twist", twist));
+  observed.push_back(common("friction_moment", moment, units));
 }
 
+template std::optional<AxisOfPath<2>> axis_of_path(const Assembly<2>&);
+template std::optional<AxisOfPath<3>> axis_of_path(const Assembly<3>&);
 template void add_friction(const std::vector<ContactNode<2>>&, ContactSurface&);
 template void add_friction(const std::vector<ContactNode<3>>&, ContactSurface&);
 template CycleOfSlip cycle_of_slip(const Assembly<2>&, const std::vector<PhaseContact<2>>&);

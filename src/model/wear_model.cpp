@@ -363,9 +363,12 @@ std::optional<ContactSurface> WearModel<dim>::contact(const State& state) const 
       if (sticks || rolls) add_friction(phases[p].nodes, surface);
     }
   if (!sticks) return surface;
-  for (const auto& [place, force] : loop(values, state.t, phases))
-    for (const Vector<dim>& of : {place, force})
+  const bool turns = axis_of_path(assembly()).has_value();
+  for (const PlaceAndForce<dim>& at : loop(values, state.t, phases)) {
+    for (const Vector<dim>& of : {at.place, at.force})
       surface.phase_loop.insert(surface.phase_loop.end(), of.begin(), of.end());
+    if (turns) surface.phase_turn.insert(surface.phase_turn.end(), {at.angle, at.moment});
+  }
   return surface;
 }
 

@@ -101,6 +101,7 @@ StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nomina
                         .traction = fields_[p].traction,
                         .carried = carried(phases_[p]),
                         .before = {},
+                        .origin = assembly_->interface.partner.position,
                         .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
                         .memory = memory(),
                         .is_last = p + 1 == phases_.size(),

@@ -1,5 +1,7 @@
 #include "part/part_cycle.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
@@ -57,9 +59,9 @@ std::vector<std::optional<CycleFunction>> read_forces_of_guides(const Scene& sce
     const std::string key = guide.key + ".cycle";
     forces.push_back(guide.key.empty() ? std::nullopt : read_cycle_function(scene, key));
     if (!forces.back()) continue;
-    if (!guide.force || guide.turns())
-      throw InputError(scene.where(key) + ": expected also " + guide.key +
-                       ".force, which it multiplies");
+    if (!guide.force)
+      throw InputError(fmt::format("{}: expected also {}.force, or .moment, which it multiplies",
+                                   scene.where(key), guide.key));
     if (!scene.flag("friction.stick"))
       throw InputError(scene.where(key) + ": expected friction.stick = true beside it");
   }

@@ -104,8 +104,8 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
                fmt::format("no displacement over the cycle along {}.direction, where a force "
                            "moves the counter-body",
                            rest.guides[k].key));
-  if (std::ranges::any_of(rest.guides, &Guide<dim>::turns))
-    refuse(scene, "no moment in [[counter_body.press]] beside it");
+  if (motion.cycle.rotation && std::ranges::any_of(rest.guides, &Guide<dim>::turns))
+    refuse(scene, "no cycle.rotation beside a moment in [[counter_body.press]]");
   const std::vector<double> extremes = extremes_of(motion, factors_of_loads(scene));
   ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
   result.phases = path_phases(points_of(scene, extremes), motion, rest, force);

@@ -164,8 +164,12 @@ constexpr PhaseArray phase_arrays[] = {
      [](hsize_t phases, hsize_t nodes, hsize_t dim) {
        return std::vector{phases, nodes, dim};
      }},
-    {"phase_loop", &ContactSurface::phase_loop, [](hsize_t phases, hsize_t, hsize_t dim) {
+    {"phase_loop", &ContactSurface::phase_loop,
+     [](hsize_t phases, hsize_t, hsize_t dim) {
        return std::vector{phases, 2 * dim};
+     }},
+    {"phase_turn", &ContactSurface::phase_turn, [](hsize_t phases, hsize_t, hsize_t) {
+       return std::vector{phases, hsize_t{2}};
      }}};
 
 std::vector<hsize_t> extents_of(const PhaseArray& array, const ContactSurface& contact) {

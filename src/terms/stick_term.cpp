@@ -171,7 +171,8 @@ StickInput<dim> StickTerm<dim>::gather(const Evaluation<dim>& at, int c) const {
       .lambda_before = at.values.scalar(state_.lambda_before)[c],
       .carried = state_.carried.row(c).transpose(),
       .interval = state_.interval[c],
-      .rubs = !state_.before[c].empty()};
+      .rubs = !state_.before[c].empty(),
+      .arm = patch.initial_position - state_.origin};
   for (Eigen::Index p = 0; p < size; ++p) {
     const int node = patch.nodes[p];
     input.contact.X.row(p) = contact.mesh.nodes[node].transpose() + d.row(node);
@@ -183,7 +184,7 @@ StickInput<dim> StickTerm<dim>::gather(const Evaluation<dim>& at, int c) const {
   input.before -= state_.carried_before.row(c).transpose();
   const PartnerMotion<> q = motion_.at(at, state_.q_before);
   const auto& guides = contact.parameters.counter_body.guides;
-  for (Eigen::Index k = 0; k < q.size(); ++k) input.before -= q[k] * guides[k].along;
+  for (Eigen::Index k = 0; k < q.size(); ++k) input.before -= q[k] * guides[k].carries(input.arm);
   return input;
 }
 
@@ -253,15 +254,17 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
     input.before += Dual<dim>(part.factor) * variable.next_of(Vector<dim>(Vector<dim>::Zero()));
   if (follows_a_phase())
     for (Eigen::Index k = 0; k < guides; ++k)
-      input.before -=
-          state_.contact.parameters.counter_body.guides[k].along.template cast<Dual<dim>>() *
-          q_before[k];
+      input.before -= state_.contact.parameters.counter_body.guides[k]
+                          .carries(plain_input.arm)
+                          .template cast<Dual<dim>>() *
+                      q_before[k];
   input.lambda_before = variable.next(plain_input.lambda_before);
   input.contact.X = variable.next_of(plain_input.contact.X);
   input.contact.moment = plain_input.contact.moment;
   input.carried = plain_input.carried;
   input.interval = plain_input.interval;
   input.rubs = plain_input.rubs;
+  input.arm = plain_input.arm;
   const StickNode<dim, Dual<dim>> met(parameters(c), patch, input, branch(at, c));
 
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(1 + 3 * dim + guides, columns);
@@ -288,6 +291,7 @@ void StickTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
     if (!state_.is_last) continue;
     const double rate = 1 / state_.memory.period;
     const auto& guides = state_.contact.parameters.counter_body.guides;
+    const Vector<dim> arm = state_.contact.patches[c].initial_position - state_.origin;
     for (int i = 0; i < dim; ++i) {
       const std::vector<int>& map = memory_map_[static_cast<std::size_t>(c * dim + i)];
       const auto add = [&](std::size_t k, double value) {
@@ -295,7 +299,7 @@ void StickTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
       };
       add(0, -rate);
       add(1, state_.memory.by_s(at, c, rate_weight));
-      for (std::size_t k = 0; k < guides.size(); ++k) add(2 + k, rate * guides[k].along[i]);
+      for (std::size_t k = 0; k < guides.size(); ++k) add(2 + k, rate * guides[k].carries(arm)[i]);
     }
   }
 }

@@ -237,6 +237,57 @@ TEST_F(Fretting, JacobianEqualsFiniteDifferences) {
   }
 }
 
+/// A stiff square block between springs of stiffness k per area and a plane that a moment M turns
+/// by M / (k I): I = 1 / 6 of the unit square, times 1 + 2 h^2 of springs at nodes. All slips at M
+/// = 0.38 f P.
+TEST_F(Fretting, AMomentTurnsTheCounterBody) {
+  folder_.write("square.geo", R"(SetFactory("OpenCASCADE");
+Box(1) = {-0.5, -0.5, -0.2, 1, 1, 0.2};
+Transfinite Curve "*" = 2; Transfinite Curve {2, 4, 6, 8, 9, 10, 11, 12} = 6;
+Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
+Physical Surface("bottom") = {5}; Physical Surface("surface") = {6}; Physical Volume("block") = {1};
+)");
+  const std::string text = R"toml(problem = "worn_body"
+mesh.file = "square.geo"
+body = { young_modulus = 1e9, poisson_ratio = 0.0, material = "linear" }
+support = [ { on = "bottom", stiffness = 1e3 } ]
+friction = { coefficient = 0.5, stick = true }
+wear = { on = ["surface"], coefficient = 1e-8 }
+time.cycles = 1000
+cycle = { period = 1.0, phases = 4 }
+[counter_body]
+shape = "plane"
+center = [0.0, 0.0, 0.0]
+normal = [0.0, 0.0, -1.0]
+[[counter_body.press]]
+direction = [0.0, 0.0, -1.0]
+force = 100.0
+[[counter_body.press]]
+moment = 5.0
+center = [0.0, 0.0, 0.0]
+axis = [0.0, 0.0, 1.0]
+cycle = "sin(2*pi*tau)"
+)toml";
+  Counters counters;
+  const auto model = this->model(text);
+  const State start = model->start(counters);
+  EXPECT_NEAR(observed(*model, start, "twist") / (2 * 5.0 * 6 / 1e3 / (1 + 2 * 0.2 * 0.2)), 1,
+              1e-5);
+  EXPECT_NEAR(observed(*model, start, "friction_moment"), 5, 1e-8);
+  const ContactSurface surface = model->contact(start).value();
+  ASSERT_EQ(surface.phase_turn.size(), 2 * surface.phase_position.size());
+  EXPECT_NEAR(surface.phase_turn[1], 5, 1e-8);
+  const auto soft = this->model(text, {"body.young_modulus=1e5", "support.1.stiffness=1e8",
+                                       "wear.coefficient=1e-5", "counter_body.press.2.moment=15"});
+  std::vector<double> y = soft->start(counters).y;
+  const ActiveSet branch = active_set(soft->system(), 0, y);
+  for (std::size_t i = 0; i < y.size(); ++i)  // away from nodes that do not slip
+    y[i] += 0.1 * soft->system().structure().unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
+  check_jacobian(soft->system(), 0, y, 0.2, &branch, 1e-3);
+  const auto more = this->model(text, {"counter_body.press.2.moment=20"});
+  EXPECT_THROW((void)more->start(counters), SolutionError);
+}
+
 TEST_F(Fretting, BlocksSolveAsFactorsOfTheWholeJacobian) {
   std::vector<double> worn;
   for (const char* solver : {"block", "direct"}) {

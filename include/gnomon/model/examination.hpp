@@ -76,6 +76,8 @@ struct Examination {
   std::optional<GapError> gap_error{};  ///< where wear is a gap
   /// Where friction may stick: CycleOfSlip::stick_area.
   double stick_area = 0;
+  /// There, the largest angle of a counter-body that a moment turns [rad].
+  double turn = 0;
   /// In rolling: PowerOfRolling::upwind by dissipated, and without_friction.
   double upwind_power = 0, without_friction = 0;
   double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]

@@ -61,6 +61,8 @@ struct ContactSurface {
   /// Phases x 2 dim: how far the partner is from its place [length], and the force that drives and
   /// presses it [force].
   std::vector<double> phase_loop{};
+  /// Phases x 2, where the partner turns: its angle, and the moment about its axis [force length].
+  std::vector<double> phase_turn{};
   std::vector<int> body{};  ///< of pairs: the number of the connected body of each node
 };
 

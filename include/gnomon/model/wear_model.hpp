@@ -26,14 +26,27 @@ template <int dim>
 CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
                           const std::vector<PhaseContact<dim>>& phases);
 
-/// Where the partner is in a phase of a path, and the force that moves it.
+/// Where the partner is in a phase of a path, and the force that moves it; of a counter-body that
+/// turns also its angle, and the moment about its axis.
 template <int dim>
 struct PlaceAndForce {
   Vector<dim> place = Vector<dim>::Zero();  ///< [length]
   Vector<dim> force = Vector<dim>::Zero();
+  double angle = 0;   ///< [rad]
+  double moment = 0;  ///< [force length]
 };
 
-/// Appends friction_work, slip_path, stick_area, stroke and friction_force. `units`: the dimension
+/// The axis about which the counter-body turns over a path; none of pairs, or where it does not.
+template <int dim>
+struct AxisOfPath {
+  Tensor<dim> spin;    ///< of the rate one
+  Vector<dim> centre;  ///< in the coordinates of the shape [length]
+};
+template <int dim>
+std::optional<AxisOfPath<dim>> axis_of_path(const Assembly<dim>& assembly);
+
+/// Appends friction_work, slip_path, stick_area, stroke and friction_force, and where the
+/// counter-body turns twist and friction_moment. `units`: the dimension
 /// that they have.
 template <int dim>
 void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<dim>>& phases,

@@ -5,8 +5,9 @@
 //
 //   r = u - c - G q,   Delta = P (r - r_before),   P = 1 - n n'
 //
-// with the displacement c of the partner's surface there in the phase and its unknown translations
-// G q. In rolling, material comes from upstream in an interval dt, in which the partner goes on by
+// with the displacement c of the partner's surface there in the phase and G q by its unknown
+// translations; an unknown angle carries the undeformed place about its axis. In rolling, material
+// comes from upstream in an interval dt, in which the partner goes on by
 //
 //   r = u - c - dt (v^2 - |V| sum_k xi_k e_k)
 //
@@ -64,6 +65,7 @@ struct StickInput {
   Vector<dim> carried = Vector<dim>::Zero();  ///< c [length]
   double interval = 1;                        ///< since the phase before [time]
   bool rubs = true;  ///< else it has no friction: where it comes from is not known
+  Vector<dim> arm = Vector<dim>::Zero();  ///< where it is in the coordinates of the partner's shape
 };
 
 struct StickBranch {
@@ -86,10 +88,13 @@ struct StickNode {
 
 /// G of an unknown of the partner; of a creepage its direction.
 template <int dim, class Scalar>
-Vector<dim> along_guide(const ContactParameters<dim>& of, const ContactKinematics<dim, Scalar>& met,
-                        Eigen::Index k) {
+Vector<dim, Scalar> along_guide(const ContactParameters<dim>& of,
+                                const ContactKinematics<dim, Scalar>& met, Eigen::Index k) {
   const Guide<dim>& guide = of.counter_body.guides[static_cast<std::size_t>(k)];
-  return guide.creeps() ? guide.along : Vector<dim>(met.partner.weights.col(k));
+  if (guide.creeps()) return guide.along.template cast<Scalar>();
+  const Vector<dim> G = met.partner.weights.col(k);
+  const auto& by = met.partner.weights_by[static_cast<std::size_t>(k)];
+  return by.size() > 0 ? lift(G, by, met.z) : Vector<dim, Scalar>(G.template cast<Scalar>());
 }
 
 /// What its unknowns, or its rolling, add to c.
@@ -101,7 +106,8 @@ Vector<dim, Scalar> moved_partner(const StickParameters<dim>& parameters,
   Vector<dim, Scalar> moved = Vector<dim, Scalar>::Zero();
   if (!parameters.rolling) {
     for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
-      moved += Vector<dim>(met.partner.weights.col(k)).template cast<Scalar>() * at.contact.q[k];
+      moved += other.guides[static_cast<std::size_t>(k)].carries(at.arm).template cast<Scalar>() *
+               at.contact.q[k];
     return moved;
   }
   if (!parameters.rolling->linear)
@@ -160,7 +166,7 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   contact.constraint = met.contact.constraint;
   contact.partner.resize(at.contact.q.size());
   for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
-    contact.partner[k] = -along_guide<dim>(of, met, k).template cast<Scalar>().dot(contact.force);
+    contact.partner[k] = -along_guide<dim>(of, met, k).dot(contact.force);
   contact.slip = slip;
   contact.friction = plain(coefficient);
   contact.sticks = friction.sticks;

@@ -25,8 +25,9 @@ struct StickState {
   /// Of each contact node, r before: their sum, without the c and the partner's motion of the phase
   /// before, which the first phase of a path and rolling have not. None: it has no friction.
   std::vector<std::vector<PartOfPlace>> before;
-  NodalField<dim> carried_before{};  ///< empty: none
-  FieldId q_before = FieldId::none;  ///< of the partner
+  NodalField<dim> carried_before{};          ///< empty: none
+  FieldId q_before = FieldId::none;          ///< of the partner
+  Vector<dim> origin = Vector<dim>::Zero();  ///< of the partner's shape at rest [length]
   /// Of the phase before, of the first one that of the last; in rolling, where the pressure does
   /// not change, that of the state.
   FieldId lambda_before = FieldId::none;

@@ -22,21 +22,34 @@ def draw(result):
 
 
 def draw_loops(axes, result):
-    """Along the direction in which the partner moves most to and fro beside the press."""
+    """Along the direction in which the partner moves most to and fro beside the press, or about the
+    axis about which it turns."""
     steps = [0, *result.some_steps(MOST_TIMES)]
-    along = driven(result.phase_loop(steps[-1]), result.dim)
+    along = None if result.turns else driven(result.phase_loop(steps[-1]), result.dim)
     for step, colour in zip(steps, style.COLOURS):
-        rows = result.phase_loop(step)
-        place, force = rows[:, along], rows[:, result.dim + along]
+        place, force = loop_of(result, step, along)
         axes.plot(1e3 * numpy.append(place, place[0]), numpy.append(force, force[0]), color=colour,
                   marker="o", markersize=2, label="$t$ = " + result.clock.text(result.times[step]))
-    name, whole = result.axes[along], result.dim == 3 or result.axes[0] == "r"
+    whole = result.dim == 3 or result.axes[0] == "r"
     partner = "other body" if result.has_pairs else "counter-body"
-    axes.set_xlabel(f"displacement of the {partner} along {name} [um]")
-    axes.set_ylabel(f"force along {name} [{'N' if whole else 'N/mm'}]")
+    if along is None:
+        axes.set_xlabel(f"angle of the {partner} [mrad]")
+        axes.set_ylabel(f"moment about its axis [{'N mm' if whole else 'N'}]")
+    else:
+        name = result.axes[along]
+        axes.set_xlabel(f"displacement of the {partner} along {name} [um]")
+        axes.set_ylabel(f"force along {name} [{'N' if whole else 'N/mm'}]")
     axes.legend(loc="upper left")
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
+
+
+def loop_of(result, step, along):
+    """Place and force along a direction, or angle and moment without one."""
+    if along is None:
+        return result.phase_turn(step).T
+    rows = result.phase_loop(step)
+    return rows[:, along], rows[:, result.dim + along]
 
 
 def driven(rows, dim):

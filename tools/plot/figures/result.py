@@ -191,6 +191,15 @@ class Result:
         """At a stored step: one row per phase, place of the counter-body and force that moves it."""
         return self._of_phases("phase_loop", step)
 
+    @property
+    def turns(self):
+        """Whether the counter-body turns on its path."""
+        return self._read("gnomon/phase_turn") is not None
+
+    def phase_turn(self, step):
+        """At a stored step: one row per phase, angle of the counter-body and moment about its axis."""
+        return self._of_phases("phase_turn", step)
+
     def phase_traction(self, step):
         """Of friction on the body, as phase_slip()."""
         return self._of_phases("phase_traction", step)
