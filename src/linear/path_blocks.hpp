@@ -1,0 +1,293 @@
+// The blocks of a Jacobian along a path of contact states, between the unknowns that are solved for
+// together (path_core.cpp).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <gnomon/system/system.hpp>
+#include <map>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "linear/contact_entries.hpp"
+#include "linear/stiffness_block.hpp"
+
+namespace gnomon {
+
+/// Points are the nodes that multipliers press. v are the displacements of touched points, y the
+/// unknowns of closed nodes and rigid motions, g the shape and the memory of touched points.
+/// Unknowns e follow from these,
+///
+///   e = e_0 - E_v v - E_g g
+///
+/// as the place of a node on the partner that covers it. They are put into the other rows, so that
+/// blocks are as large as contact, and not as what the partner covers.
+class PathBlocks {
+public:
+  using Sparse = Eigen::SparseMatrix<double>;
+  struct Phase {
+    std::vector<int> u;      ///< displacements of all points
+    std::vector<int> all_y;  ///< multipliers, places on the partner and rigid motions of all
+    std::vector<int> y, e;   ///< of these
+    Sparse v_by_y, y_by_v, y_by_before, g_by_v;  ///< before: v of the phase before
+    Eigen::MatrixXd y_by_y, y_by_y_before, g_by_y, y_by_g;
+    Sparse y_by_e, y_by_e_before, g_by_e;  ///< that are in the others
+  };
+
+  /// `structure` must outlive the object.
+  PathBlocks(const Structure& structure, const StiffnessBlock& stiffness)
+      : structure_(structure), phases_(stiffness.owners()), place_(structure.size) {
+    find_points();
+    find_roles(stiffness);
+  }
+
+  /// Takes the values of J, which must outlive their use, and finds what touches.
+  void refresh(std::span<const double> J) {
+    J_ = J;
+    find_following();
+    find_touched();
+    number();
+  }
+  /// Makes the blocks of J.
+  void gather() {
+    std::vector<Lists> lists(phases_.size());
+    std::vector<Sparse> E_v, E_g;
+    sort_entries(lists);
+    for (std::size_t p = 0; p < phases_.size(); ++p) {
+      make_sparse(phases_[p], lists[p]);
+      E_v.push_back(sparse(std::ssize(phases_[p].e), v_size(), lists[p].e_by_v));
+      E_g.push_back(sparse(std::ssize(phases_[p].e), std::ssize(g_), lists[p].e_by_g));
+    }
+    for (std::size_t p = 0; p < phases_.size(); ++p) put_in_following(p, E_v, E_g);
+  }
+
+  const std::vector<Phase>& phases() const { return phases_; }
+  /// The numbers of the displacements of every point in the block of the stiffness.
+  const std::vector<NodeUnknowns>& points() const { return points_; }
+  bool has_partners() const { return has_partners_; }
+  const std::vector<int>& touched() const { return touched_; }
+  const std::vector<int>& slow() const { return slow_; }  ///< unknowns g of all points
+  const std::vector<int>& g() const { return g_; }
+  const Eigen::MatrixXd& g_by_g() const { return g_by_g_; }
+  long v_size() const { return most_components * std::ssize(touched_); }
+  /// Of an unknown among v, y, e or g of its phase; -1: it is none of these.
+  int number(int unknown) const { return place_[unknown].number; }
+  bool follows(int unknown) const { return place_[unknown].kind == Kind::e; }
+  double at(int row, int column) const {
+    const int position = structure_.pattern.find(row, column);
+    return position < 0 ? 0 : J_[position];
+  }
+
+private:
+  using Entries = std::vector<Eigen::Triplet<double>>;
+  /// Of a phase, the entries of blocks.
+  struct Lists {
+    Entries v_by_y, y_by_v, y_by_before, g_by_v, y_by_e, y_by_e_before, g_by_e, e_by_v, e_by_g;
+  };
+  enum class Kind : char { other, u, y, e, g };
+  /// What an unknown is.
+  struct Place {
+    Kind kind = Kind::other;
+    int phase = 0;
+    int point = -1, component = 0;  ///< -1: rigid
+    int number = -1;
+    bool of_contact() const { return kind == Kind::y || kind == Kind::e; }
+  };
+
+  /// Calls with row, column and value of the entries that are not zero.
+  template <class Call>
+  void for_entries(Kind column, const Call& call) const {
+    const SparsePattern& pattern = structure_.pattern;
+    for (int j = 0; j < structure_.size; ++j) {
+      if (place_[j].kind != column) continue;
+      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+        if (J_[k] != 0) call(pattern.row_index[k], j, J_[k]);
+    }
+  }
+  Role role(int i) const { return structure_.block_of(i).role; }
+
+  void find_points() {
+    const SparsePattern& pattern = structure_.pattern;
+    std::set<int> carry;
+    for (int i = 0; i < structure_.size; ++i) {
+      if (role(i) != Role::multiplier) continue;
+      carry.insert(structure_.group[i]);
+      point_of_.try_emplace(structure_.group[i], static_cast<int>(point_of_.size()));
+      for (int k = pattern.column_start[i]; k < pattern.column_start[i + 1]; ++k)
+        if (const int row = pattern.row_index[k]; role(row) == Role::stiffness)
+          point_of_.try_emplace(structure_.group[row], static_cast<int>(point_of_.size()));
+    }
+    has_partners_ = point_of_.size() > carry.size();
+    points_.assign(point_of_.size(), {-1, -1, -1});
+  }
+
+  void find_roles(const StiffnessBlock& stiffness) {
+    for (int i = 0; i < structure_.size; ++i) {
+      Place& place = place_[i];
+      place.phase = structure_.block_of(i).owner;
+      place.component = static_cast<unsigned char>(structure_.component[i]);
+      if (const auto found = point_of_.find(structure_.group[i]); found != point_of_.end())
+        place.point = found->second;
+      if (role(i) == Role::multiplier || role(i) == Role::friction || role(i) == Role::rigid) {
+        place.kind = Kind::y;
+        phases_[place.phase].all_y.push_back(i);
+      } else if (role(i) == Role::evolution || role(i) == Role::memory) {
+        place.kind = Kind::g;
+        place.phase = 0;
+        slow_.push_back(i);
+      } else if (role(i) == Role::stiffness && place.point >= 0) {
+        place.kind = Kind::u;
+        phases_[place.phase].u.push_back(i);
+        const std::vector<int>& block = stiffness.unknowns(place.phase);
+        points_[place.point][place.component] =
+            static_cast<int>(std::ranges::lower_bound(block, i) - block.begin());
+      }
+    }
+  }
+
+  /// They depend on no other y, and no force depends on them.
+  void find_following() {
+    for (const Phase& phase : phases_)
+      for (const int i : phase.all_y)
+        place_[i].kind = place_[i].point >= 0 && at(i, i) != 0 ? Kind::e : Kind::y;
+    std::vector<char> not_alone(place_.size(), 0);
+    const auto find = [&](int row, int column, double) {
+      if (place_[row].of_contact() && row != column) not_alone[row] = 1;
+      if (role(row) == Role::stiffness || role(row) == Role::rigid) not_alone[column] = 1;
+    };
+    for_entries(Kind::y, find);
+    for_entries(Kind::e, find);
+    for (const Phase& phase : phases_)
+      for (const int i : phase.all_y)
+        if (not_alone[i]) place_[i].kind = Kind::y;
+  }
+
+  /// A closed node has rows that depend on displacements, and that are solved.
+  void find_touched() {
+    std::vector<char> touched(points_.size(), 0);
+    closed_.assign(phases_.size(), touched);
+    for_entries(Kind::u, [&](int i, int, double) {
+      if (const Place& row = place_[i]; row.kind == Kind::y && row.point >= 0)
+        closed_[row.phase][row.point] = touched[row.point] = 1;
+    });
+    ever_closed_ = touched;
+    for_entries(Kind::u, [&](int i, int j, double) {
+      if (const Place& row = place_[i];
+          row.of_contact() && row.point >= 0 && ever_closed_[row.point])
+        touched[place_[j].point] = 1;
+    });
+    touched_.clear();
+    for (std::size_t point = 0; point < touched.size(); ++point)
+      if (touched[point]) touched_.push_back(static_cast<int>(point));
+  }
+
+  void number() {
+    std::vector<int> position(points_.size(), -1);
+    for (std::size_t k = 0; k < touched_.size(); ++k) position[touched_[k]] = static_cast<int>(k);
+    for (Phase& phase : phases_) phase.y.clear(), phase.e.clear();
+    g_.clear();
+    const auto append = [](std::vector<int>& to, int i) {
+      to.push_back(i);
+      return static_cast<int>(to.size()) - 1;
+    };
+    for (int i = 0; i < structure_.size; ++i) {
+      Place& place = place_[i];
+      Phase& phase = phases_[place.phase];
+      place.number = -1;
+      if (place.kind == Kind::y && (place.point < 0 || closed_[place.phase][place.point]))
+        place.number = append(phase.y, i);
+      if (place.point < 0) continue;
+      if (place.kind == Kind::e && ever_closed_[place.point]) place.number = append(phase.e, i);
+      if (position[place.point] < 0) continue;
+      if (place.kind == Kind::u)
+        place.number = most_components * position[place.point] + place.component;
+      if (place.kind == Kind::g) place.number = append(g_, i);
+    }
+  }
+
+  void sort_entries(std::vector<Lists>& lists) {
+    const auto g = std::ssize(g_);
+    for (std::size_t p = 0; p < phases_.size(); ++p) {
+      const auto y = std::ssize(phases_[p].y);
+      phases_[p].y_by_y.setZero(y, y);
+      phases_[p].y_by_y_before.setZero(y, p == 0 ? 0 : std::ssize(phases_[p - 1].y));
+      phases_[p].g_by_y.setZero(g, y);
+      phases_[p].y_by_g.setZero(y, g);
+    }
+    g_by_g_.setZero(g, g);
+    for (const Kind kind : {Kind::u, Kind::y, Kind::e, Kind::g})
+      for_entries(kind, [&](int i, int j, double value) {
+        if (place_[i].number >= 0 && place_[j].number >= 0) sort_entry(i, j, value, lists);
+      });
+  }
+
+  void sort_entry(int i, int j, double value, std::vector<Lists>& lists) {
+    const Place &row = place_[i], &column = place_[j];
+    const bool same = row.phase == column.phase;
+    Phase &of_row = phases_[row.phase], &of_column = phases_[column.phase];
+    Lists &row_lists = lists[row.phase], &column_lists = lists[column.phase];
+    const auto put = [&](Entries& to, double by = 1) {
+      to.emplace_back(row.number, column.number, value / by);
+    };
+    const auto is = [&](Kind a, Kind b) { return row.kind == a && column.kind == b; };
+    if (is(Kind::u, Kind::y) && same) put(column_lists.v_by_y);
+    if (is(Kind::y, Kind::u)) put(same ? row_lists.y_by_v : row_lists.y_by_before);
+    if (is(Kind::y, Kind::e)) put(same ? row_lists.y_by_e : row_lists.y_by_e_before);
+    if (is(Kind::e, Kind::u)) put(row_lists.e_by_v, at(i, i));
+    if (is(Kind::e, Kind::g)) put(row_lists.e_by_g, at(i, i));
+    if (is(Kind::g, Kind::u)) put(column_lists.g_by_v);
+    if (is(Kind::g, Kind::e)) put(column_lists.g_by_e);
+    if (is(Kind::y, Kind::y))
+      (same ? of_row.y_by_y : of_row.y_by_y_before)(row.number, column.number) = value;
+    if (is(Kind::y, Kind::g)) of_row.y_by_g(row.number, column.number) = value;
+    if (is(Kind::g, Kind::y)) of_column.g_by_y(row.number, column.number) = value;
+    if (is(Kind::g, Kind::g)) g_by_g_(row.number, column.number) = value;
+  }
+
+  static Sparse sparse(long rows, long columns, const Entries& entries) {
+    Sparse matrix(rows, columns);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+  }
+  void make_sparse(Phase& phase, const Lists& lists) {
+    const bool first = &phase == phases_.data();
+    const long y = std::ssize(phase.y), e = std::ssize(phase.e), g = std::ssize(g_), v = v_size();
+    phase.v_by_y = sparse(v, y, lists.v_by_y);
+    phase.y_by_v = sparse(y, v, lists.y_by_v);
+    phase.y_by_before = sparse(y, v, lists.y_by_before);
+    phase.g_by_v = sparse(g, v, lists.g_by_v);
+    phase.y_by_e = sparse(y, e, lists.y_by_e);
+    phase.y_by_e_before = sparse(y, first ? 0 : std::ssize((&phase - 1)->e), lists.y_by_e_before);
+    phase.g_by_e = sparse(g, e, lists.g_by_e);
+  }
+
+  void put_in_following(std::size_t p, const std::vector<Sparse>& E_v,
+                        const std::vector<Sparse>& E_g) {
+    Phase& phase = phases_[p];
+    phase.y_by_v -= Sparse(phase.y_by_e * E_v[p]);
+    phase.y_by_g -= Sparse(phase.y_by_e * E_g[p]);
+    phase.g_by_v -= Sparse(phase.g_by_e * E_v[p]);
+    g_by_g_ -= Sparse(phase.g_by_e * E_g[p]);
+    if (p == 0) return;
+    phase.y_by_before -= Sparse(phase.y_by_e_before * E_v[p - 1]);
+    phase.y_by_g -= Sparse(phase.y_by_e_before * E_g[p - 1]);
+  }
+
+  const Structure& structure_;
+  std::span<const double> J_;
+  std::vector<Phase> phases_;
+  std::vector<Place> place_;     // by unknown
+  std::map<int, int> point_of_;  // by Structure::group
+  std::vector<NodeUnknowns> points_;
+  bool has_partners_ = false;
+  std::vector<int> slow_;
+  std::vector<std::vector<char>> closed_;  // by phase and point
+  std::vector<char> ever_closed_;          // by point
+  std::vector<int> touched_;
+  std::vector<int> g_;  // those of slow_ at touched points
+  Eigen::MatrixXd g_by_g_;
+};
+
+}  // namespace gnomon
