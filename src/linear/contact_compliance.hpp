@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,35 +33,31 @@ public:
 
   /// Makes the columns of these nodes available.
   void solve(const std::vector<int>& nodes, StiffnessBlock& stiffness) {
-    constexpr long together = 20;  // nodes per solve
-    std::vector<int> fresh;
-    std::ranges::copy_if(nodes, std::back_inserter(fresh),
-                         [this](int node) { return first_column_[node] < 0; });
-    if (fresh.empty()) return;
-    long column = G_.cols();
-    G_.conservativeResize(Eigen::NoChange,
-                          column + most_components * static_cast<long>(fresh.size()));
+    constexpr long together = 60;             // columns per solve
+    std::vector<std::pair<int, long>> fresh;  // number in the block, and column
+    long end = G_.cols();
+    for (const int node : nodes) {
+      if (first_column_[node] >= 0) continue;
+      first_column_[node] = static_cast<int>(end);
+      for (int i = 0; i < most_components; ++i)
+        if (nodes_[node][i] >= 0) fresh.emplace_back(nodes_[node][i], end + i);
+      end += most_components;
+    }
+    G_.conservativeResizeLike(Eigen::MatrixXd::Zero(G_.rows(), end));
     Eigen::MatrixXd forces, moved;
-    for (std::size_t start = 0; start < fresh.size(); start += together) {
-      const long count = std::min<long>(together, static_cast<long>(fresh.size() - start));
-      forces.setZero(stiffness.size(), most_components * count);
+    for (auto rest = std::span(fresh); !rest.empty();) {
+      const auto part = rest.first(std::min<std::size_t>(together, rest.size()));
+      forces.setZero(stiffness.size(), std::ssize(part));
       moved.resizeLike(forces);
-      for (long k = 0; k < count; ++k)
-        for (int i = 0; i < most_components; ++i)
-          if (const int number = nodes_[fresh[start + k]][i]; number >= 0)
-            forces(number, most_components * k + i) = 1;
+      for (long k = 0; k < std::ssize(part); ++k) forces(part[k].first, k) = 1;
       const auto entries = static_cast<std::size_t>(forces.size());
       stiffness.solver().apply({forces.data(), entries}, {moved.data(), entries});
-      for (long k = 0; k < count; ++k, column += most_components) {
-        first_column_[fresh[start + k]] = static_cast<int>(column);
+      for (long k = 0; k < std::ssize(part); ++k)
         for (std::size_t node = 0; node < nodes_.size(); ++node)
-          for (int i = 0; i < most_components; ++i) {
-            const int number = nodes_[node][i];
-            for (int j = 0; j < most_components; ++j)
-              G_(most_components * static_cast<long>(node) + i, column + j) =
-                  number < 0 ? 0 : moved(number, most_components * k + j);
-          }
-      }
+          for (int i = 0; i < most_components; ++i)
+            if (const int number = nodes_[node][i]; number >= 0)
+              G_(most_components * static_cast<long>(node) + i, part[k].second) = moved(number, k);
+      rest = rest.subspan(part.size());
     }
   }
 
