@@ -111,6 +111,7 @@ template <int dim>
 const FieldValues<dim>& PathMarch<dim>::cycle() {
   values_.vector(whole_.fields().memory) = last_.place;
   for (std::size_t p = 0; p < whole_.phases().size(); ++p) follow(p);
+  is_expected_ = true;
   return values_;
 }
 
@@ -126,17 +127,21 @@ void PathMarch<dim>::keep(const Alone& alone, const Phase<dim>& phase) {
   last_.place = alone.places(alone.values);
 }
 
-/// To the last of the phases on the way.
+/// To the last of the phases on the way, which `expected` has a guess of.
 template <int dim>
-void PathMarch<dim>::advance(const OnTheWay& on_the_way) {
+void PathMarch<dim>::advance(const OnTheWay& on_the_way, const WornBodyFields* expected) {
   const Phase<dim> phase = on_the_way(1);
   Alone alone(*this, phase);
   std::string reason;
+  if (expected) {
+    start_from(*expected, alone);
+    if (solve(alone, reason)) return keep(alone, phase);
+  }
   const auto from = [&](Carried carried) {
     guess(alone, phase, carried);
     return solve(alone, reason);
   };
-  const bool far = is_far(phase);
+  const bool far = is_far(alone, phase);
   if (!from(far ? Carried::by_shear : Carried::wholly) &&
       !from(far ? Carried::wholly : Carried::by_shear) && !by_halves(alone, on_the_way, reason))
     throw SolutionError(
@@ -150,11 +155,14 @@ template <int dim>
 void PathMarch<dim>::follow(std::size_t p) {
   const Phase<dim>& phase = whole_.phases()[p];
   const Assembly<dim>& assembly = whole_.assembly();
-  advance([&](double part) {
-    if (part == 1) return phase;
-    return phase_at({phase.position - phase.interval * (1 - part), phase.weight},
-                    assembly.cycle->motion, assembly.interface.partner, assembly.interface.force);
-  });
+  advance(
+      [&](double part) {
+        if (part == 1) return phase;
+        return phase_at({phase.position - phase.interval * (1 - part), phase.weight},
+                        assembly.cycle->motion, assembly.interface.partner,
+                        assembly.interface.force);
+      },
+      is_expected_ ? &whole_.fields(p) : nullptr);
   const WornBodyFields& to = whole_.fields(p);
   values_.vector(to.u) = last_.u;
   values_.vector(to.traction) = last_.traction;
@@ -171,18 +179,17 @@ double PathMarch<dim>::shear() const {
 
 /// How far the partner of every contact node goes on to a phase, where the bodies stay as they are.
 template <int dim>
-NodalField<dim> PathMarch<dim>::way_to(const Phase<dim>& phase) const {
+NodalField<dim> PathMarch<dim>::way_to(Alone& alone, const Phase<dim>& phase) const {
   if (whole_.assembly().pairs.empty()) return whole_.carried(phase) - last_.carried;
-  Alone there(*this, phase);
-  start_from_last(there);
-  return last_.place - there.places(there.values);
+  start_from_last(alone);
+  return last_.place - alone.places(alone.values);
 }
 
 /// Whether most of the way to a phase is slip.
 template <int dim>
-bool PathMarch<dim>::is_far(const Phase<dim>& phase) const {
+bool PathMarch<dim>::is_far(Alone& alone, const Phase<dim>& phase) const {
   constexpr double many = 30;
-  return way_to(phase).rowwise().norm().maxCoeff() > many * shear();
+  return way_to(alone, phase).rowwise().norm().maxCoeff() > many * shear();
 }
 
 template <int dim>
@@ -193,6 +200,18 @@ void PathMarch<dim>::start_from_last(Alone& alone) const {
   alone.values.scalar(fields.lambda) = last_.lambda;
   if (fields.place != FieldId::none) alone.values.vector(fields.place) = last_.place;
   if (fields.w != FieldId::none) alone.values.scalar(fields.w) = last_.w;
+  alone.remember(last_.place);
+}
+
+template <int dim>
+void PathMarch<dim>::start_from(const WornBodyFields& expected, Alone& alone) const {
+  const WornBodyFields& fields = alone.fields();
+  alone.values.vector(fields.u) = values_.vector(expected.u);
+  alone.values.vector(fields.traction) = values_.vector(expected.traction);
+  alone.values.scalar(fields.lambda) = values_.scalar(expected.lambda);
+  if (fields.place != FieldId::none)
+    alone.values.vector(fields.place) = values_.vector(expected.place);
+  if (fields.w != FieldId::none) alone.values.scalar(fields.w) = values_.scalar(expected.w);
   alone.remember(last_.place);
 }
 
@@ -209,7 +228,7 @@ void PathMarch<dim>::guess(Alone& alone, const Phase<dim>& phase, Carried by) co
     return;
   }
   NodalField<dim>& u = alone.values.vector(fields.u);
-  NodalField<dim> carried = way_to(phase);
+  NodalField<dim> carried = way_to(alone, phase);
   const double most = carried.rowwise().norm().maxCoeff();
   if (by == Carried::by_shear && most > shear()) carried *= shear() / most;
   for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c)
@@ -221,8 +240,7 @@ void PathMarch<dim>::guess(Alone& alone, const Phase<dim>& phase, Carried by) co
 /// From the values at hand, which become the solution.
 template <int dim>
 bool PathMarch<dim>::solve(Alone& alone, std::string& reason) {
-  constexpr int most = 40;
-  NewtonSolver newton(alone.system.structure(), counters_, {.max_iterations = most});
+  NewtonSolver newton(alone.system.structure(), counters_, newton_);
   std::vector<double> y(static_cast<std::size_t>(alone.system.structure().size));
   alone.system.numbering().gather(alone.values, y);
   const NewtonReport report = newton.solve(algebraic_function(alone.system), y);

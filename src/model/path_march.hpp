@@ -5,6 +5,7 @@
 #include <functional>
 #include <gnomon/base/counters.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
+#include <gnomon/newton/newton_options.hpp>
 #include <string>
 
 namespace gnomon {
@@ -24,12 +25,17 @@ public:
 
   /// The path of these equations, at this shape and time; equations and counters must outlive it.
   PathMarch(const WornBodyEquations<dim>& equations, const FieldValues<dim>& shape, double t,
-            Counters& counters)
-      : whole_(equations), t_(t), counters_(counters), values_(shape) {}
+            Counters& counters, NewtonOptions newton = {.max_iterations = 40})
+      : whole_(equations), t_(t), counters_(counters), newton_(newton), values_(shape) {}
 
   /// The first loading (Interface::loading), where the path begins.
   void load();
   void go_on_from(Last last) { last_ = std::move(last); }
+  /// Values of all fields, from which the phases of the next cycle are guessed.
+  void expect(const FieldValues<dim>& values) {
+    values_ = values;
+    is_expected_ = true;
+  }
   /// The values of all fields over the next cycle, with the memory at its begin.
   const FieldValues<dim>& cycle();
 
@@ -38,12 +44,13 @@ private:
   void keep(const Alone& alone, const Phase<dim>& phase);
   /// Phases from the last one, at part 0, to the next one, at part 1.
   using OnTheWay = std::function<Phase<dim>(double part)>;
-  void advance(const OnTheWay& on_the_way);
+  void advance(const OnTheWay& on_the_way, const WornBodyFields* expected = nullptr);
   void follow(std::size_t phase);
   double shear() const;
-  NodalField<dim> way_to(const Phase<dim>& phase) const;
-  bool is_far(const Phase<dim>& phase) const;
+  NodalField<dim> way_to(Alone& alone, const Phase<dim>& phase) const;
+  bool is_far(Alone& alone, const Phase<dim>& phase) const;
   void start_from_last(Alone& alone) const;
+  void start_from(const WornBodyFields& expected, Alone& alone) const;
   enum class Carried { wholly, by_shear };
   void guess(Alone& alone, const Phase<dim>& phase, Carried by) const;
   bool solve(Alone& alone, std::string& reason);
@@ -52,7 +59,9 @@ private:
   const WornBodyEquations<dim>& whole_;
   double t_;
   Counters& counters_;
+  NewtonOptions newton_;
   FieldValues<dim> values_;
+  bool is_expected_ = false;  // values_ have a guess of every phase
   Last last_;
 };
 

@@ -205,15 +205,42 @@ std::vector<double> mean_rate(const std::vector<PhaseContact<dim>>& phases) {
   return mean;
 }
 
+/// Phases of a path, each in two halves: the known ones, and before each the mean with the last.
+template <int dim>
+void guess_halves(const WornBodyEquations<dim>& equations, const FieldValues<dim>& known,
+                  const WornBodyEquations<dim>& finer, FieldValues<dim>& guess) {
+  const std::size_t count = equations.phases().size();
+  for (std::size_t p = 0; p < count; ++p) {
+    const WornBodyFields &last = equations.fields((p + count - 1) % count),
+                         &own = equations.fields(p);
+    for (const double part : {0.5, 1.0}) {
+      const WornBodyFields& to = finer.fields(2 * p + (part == 1));
+      const auto vector = [&](FieldId a, FieldId b) {
+        return NodalField<dim>((1 - part) * known.vector(a) + part * known.vector(b));
+      };
+      const auto scalar = [&](FieldId a, FieldId b) {
+        return Eigen::VectorXd((1 - part) * known.scalar(a) + part * known.scalar(b));
+      };
+      guess.vector(to.u) = vector(last.u, own.u);
+      guess.vector(to.traction) = vector(last.traction, own.traction);
+      guess.scalar(to.lambda) = scalar(last.lambda, own.lambda);
+      if (to.place != FieldId::none) guess.vector(to.place) = vector(last.place, own.place);
+      if (to.w != FieldId::none) guess.scalar(to.w) = scalar(last.w, own.w);
+    }
+  }
+}
+
 /// The mean wear rates of the next cycle of a path, with each phase in two halves.
 template <int dim>
 std::vector<double> mean_rate_of_halves(const WornBodyEquations<dim>& equations,
                                         const FieldValues<dim>& values, double t) {
   const WornBodyEquations<dim> finer(equations.shared_assembly(), halved(equations.assembly()));
-  FieldValues<dim> shape(*finer.composition()->fields);
-  shape.vector(finer.fields().d) = values.vector(equations.fields().d);
+  FieldValues<dim> guess(*finer.composition()->fields);
+  guess.vector(finer.fields().d) = values.vector(equations.fields().d);
+  guess_halves(equations, values, finer, guess);
   Counters counters;
-  PathMarch<dim> march(finer, shape, t, counters);
+  PathMarch<dim> march(finer, guess, t, counters, rough_newton);
+  march.expect(guess);
   const WornBodyFields& last = equations.fields(equations.phases().size() - 1);
   march.go_on_from(
       {.u = values.vector(last.u),
