@@ -57,8 +57,8 @@ public:
     sort_entries(lists);
     for (std::size_t p = 0; p < phases_.size(); ++p) {
       make_sparse(phases_[p], lists[p]);
-      E_v.push_back(sparse(std::ssize(phases_[p].e), v_size(), lists[p].e_by_v));
-      E_g.push_back(sparse(std::ssize(phases_[p].e), std::ssize(g_), lists[p].e_by_g));
+      E_v.push_back(of_following(phases_[p].e, v_size(), lists[p].e_by_v));
+      E_g.push_back(of_following(phases_[p].e, std::ssize(g_), lists[p].e_by_g));
     }
     for (std::size_t p = 0; p < phases_.size(); ++p) put_in_following(p, E_v, E_g);
   }
@@ -106,6 +106,7 @@ private:
         if (J_[k] != 0) call(pattern.row_index[k], j, J_[k]);
     }
   }
+  bool is_solved(const Place& y) const { return y.point < 0 || closed_[y.phase][y.point]; }
   Role role(int i) const { return structure_.block_of(i).role; }
 
   void find_points() {
@@ -172,10 +173,15 @@ private:
       if (const Place& row = place_[i]; row.kind == Kind::y && row.point >= 0)
         closed_[row.phase][row.point] = touched[row.point] = 1;
     });
-    ever_closed_ = touched;
+    is_put_in_.assign(place_.size(), 0);
+    for (const Phase& phase : phases_)
+      for (const int i : phase.all_y)
+        if (place_[i].kind == Kind::e) is_put_in_[i] = touched[place_[i].point];
+    for_entries(Kind::e, [&](int i, int j, double) {  // in rolling, of open nodes upstream
+      if (const Place& row = place_[i]; row.kind == Kind::y && is_solved(row)) is_put_in_[j] = 1;
+    });
     for_entries(Kind::u, [&](int i, int j, double) {
-      if (const Place& row = place_[i];
-          row.of_contact() && row.point >= 0 && ever_closed_[row.point])
+      if (const Place& row = place_[i]; is_put_in_[i] || (row.kind == Kind::y && row.point >= 0))
         touched[place_[j].point] = 1;
     });
     touched_.clear();
@@ -196,11 +202,9 @@ private:
       Place& place = place_[i];
       Phase& phase = phases_[place.phase];
       place.number = -1;
-      if (place.kind == Kind::y && (place.point < 0 || closed_[place.phase][place.point]))
-        place.number = append(phase.y, i);
-      if (place.point < 0) continue;
-      if (place.kind == Kind::e && ever_closed_[place.point]) place.number = append(phase.e, i);
-      if (position[place.point] < 0) continue;
+      if (place.kind == Kind::y && is_solved(place)) place.number = append(phase.y, i);
+      if (is_put_in_[i]) place.number = append(phase.e, i);
+      if (place.point < 0 || position[place.point] < 0) continue;
       if (place.kind == Kind::u)
         place.number = most_components * position[place.point] + place.component;
       if (place.kind == Kind::g) place.number = append(g_, i);
@@ -228,15 +232,13 @@ private:
     const bool same = row.phase == column.phase;
     Phase &of_row = phases_[row.phase], &of_column = phases_[column.phase];
     Lists &row_lists = lists[row.phase], &column_lists = lists[column.phase];
-    const auto put = [&](Entries& to, double by = 1) {
-      to.emplace_back(row.number, column.number, value / by);
-    };
+    const auto put = [&](Entries& to) { to.emplace_back(row.number, column.number, value); };
     const auto is = [&](Kind a, Kind b) { return row.kind == a && column.kind == b; };
     if (is(Kind::u, Kind::y) && same) put(column_lists.v_by_y);
     if (is(Kind::y, Kind::u)) put(same ? row_lists.y_by_v : row_lists.y_by_before);
     if (is(Kind::y, Kind::e)) put(same ? row_lists.y_by_e : row_lists.y_by_e_before);
-    if (is(Kind::e, Kind::u)) put(row_lists.e_by_v, at(i, i));
-    if (is(Kind::e, Kind::g)) put(row_lists.e_by_g, at(i, i));
+    if (is(Kind::e, Kind::u)) put(row_lists.e_by_v);
+    if (is(Kind::e, Kind::g)) put(row_lists.e_by_g);
     if (is(Kind::g, Kind::u)) put(column_lists.g_by_v);
     if (is(Kind::g, Kind::e)) put(column_lists.g_by_e);
     if (is(Kind::y, Kind::y))
@@ -250,6 +252,11 @@ private:
     Sparse matrix(rows, columns);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
+  }
+  Sparse of_following(const std::vector<int>& e, long columns, const Entries& entries) const {
+    Eigen::VectorXd own(std::ssize(e));
+    for (std::size_t k = 0; k < e.size(); ++k) own[long(k)] = at(e[k], e[k]);
+    return own.cwiseInverse().asDiagonal() * sparse(std::ssize(e), columns, entries);
   }
   void make_sparse(Phase& phase, const Lists& lists) {
     const bool first = &phase == phases_.data();
@@ -284,7 +291,7 @@ private:
   bool has_partners_ = false;
   std::vector<int> slow_;
   std::vector<std::vector<char>> closed_;  // by phase and point
-  std::vector<char> ever_closed_;          // by point
+  std::vector<char> is_put_in_;            // by unknown: those e that others depend on
   std::vector<int> touched_;
   std::vector<int> g_;  // those of slow_ at touched points
   Eigen::MatrixXd g_by_g_;
