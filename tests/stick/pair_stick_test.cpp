@@ -434,6 +434,52 @@ TEST_F(PairRolling, AForceFindsItsCreepage) {
   EXPECT_NEAR(found("1", -force).first / driven, -1, 0.03);
 }
 
+/// Half-planes of nu = 0.3, one with ten times the modulus: beta of Dundurs is 0.234. With large
+/// friction nearly all sticks, and the softer one rolls freely with 0.644 beta a / R more than the
+/// other (tools/validation/unlike_rollers.py; 2 / pi where tractions leave the pressure alone).
+/// With 0.3 beta there are three zones of slip, the middle one opposite (R. H. Bentall, K. L.
+/// Johnson).
+TEST_F(PairRolling, UnlikeBodiesCreepWhereTheyRollFreely) {
+  constexpr double beta = 0.2338, modulus = 1 / (0.91 / 2e4 + 0.91 / 2e5);
+  const double a = Mindlin::a(), by_R = a / Mindlin::R, P = M_PI * modulus * a * by_R / 4;
+  const auto rolls = [&](double creepage, double friction) {
+    return this->model(rolling_cap(1000 * (1 + creepage * by_R)),
+                       {"body.1.young_modulus=2e4", fmt::format("pair.1.friction={}", friction),
+                        fmt::format("load.1.force=[0.0, {:.17g}]", -P)});
+  };
+  const auto force_on_sides = [](const Model& model, const State& state) {
+    return observed(model, state, "force_support_3_x");
+  };
+  std::vector<double> forces;
+  for (const double creepage : {0.14, 0.16}) {
+    const auto model = rolls(creepage, 0.5);
+    Counters counters;
+    forces.push_back(force_on_sides(*model, model->start(counters)));
+  }
+  const double of_no_force = 0.14 + 0.02 * forces[0] / (forces[0] - forces[1]);
+  EXPECT_NEAR(of_no_force / (0.644 * beta), 1, 0.03);
+
+  constexpr double friction = 0.07, free = 0.1791;  // creepage by a / R, from there
+  const auto model = rolls(free, friction);
+  Counters counters;
+  const State start = model->start(counters);
+  EXPECT_NEAR(force_on_sides(*model, start) / (friction * P), 0, 0.06);
+  const ContactSurface surface = model->contact(start).value();
+  const auto slip = of_phase(surface, surface.phase_slip, 0, 0);
+  const auto of_zone = [&](double from, double to) {
+    double sum = 0;
+    for (std::size_t c = 0; c < slip.size(); ++c)
+      if (const double x = surface.initial[c][0] / a; x > from && x < to) sum += slip[c];
+    return sum;
+  };
+  const double entering = of_zone(-1, -0.7), middle = of_zone(0.5, 0.75),
+               leaving = of_zone(0.92, 1);
+  EXPECT_GT(std::abs(middle), 1e-9);
+  EXPECT_LT(entering * middle, 0);
+  EXPECT_LT(leaving * middle, 0);
+  EXPECT_LT(std::abs(of_zone(-0.5, 0.3)), 1e-6 * std::abs(middle));
+}
+
 TEST_F(PairRolling, WhatDoesNotGoTogetherIsRefused) {
   std::string text = rolling_cap(1000);
   expect_refused(text, {"motion.1.force=1", "motion.2.force=1"}, "a force on one of the two");
