@@ -480,6 +480,23 @@ TEST_F(PairRolling, UnlikeBodiesCreepWhereTheyRollFreely) {
   EXPECT_LT(std::abs(of_zone(-0.5, 0.3)), 1e-6 * std::abs(middle));
 }
 
+/// A disc of 6 mm radius in its unrolled frame: R^2 falls in proportion to time where the law has
+/// the path that is left, and the depth does without.
+TEST_F(PairRolling, TheSquareOfTheRadiusFallsSteadily) {
+  constexpr double R = 6, depth = 0.6, time = 1000, path = 2 * M_PI * R;
+  const double k = depth * path / (Mindlin::P * 20 * time);  // full slip at a creepage of 0.02
+  const std::vector<std::pair<std::string, double>> laws = {
+      {"k * p * v", depth}, {"k * p * v / (1 - h / 6)", R - std::sqrt(R * R - 2 * R * depth)}};
+  for (const auto& [law, expected] : laws) {
+    const auto model =
+        this->model(rolling_cap(1020), {fmt::format("wear.rate=\"{}\"", law),
+                                        fmt::format("wear.coefficient={:.17g}", k),
+                                        fmt::format("wear.surfaces.face.path={:.17g}", path)});
+    const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, time);
+    EXPECT_NEAR(observed(*model, run.last(), "wear_depth") / expected, 1, 3e-3) << law;
+  }
+}
+
 TEST_F(PairRolling, WhatDoesNotGoTogetherIsRefused) {
   std::string text = rolling_cap(1000);
   expect_refused(text, {"motion.1.force=1", "motion.2.force=1"}, "a force on one of the two");
