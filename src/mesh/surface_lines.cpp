@@ -143,15 +143,6 @@ bool is_straight(const Mesh<dim>& mesh, const std::vector<int>& line) {
   return true;
 }
 
-/// The mean over all lines.
-template <int dim>
-double mean_length(const Mesh<dim>& mesh, const Groups& lines) {
-  double sum = 0;
-  for (const std::vector<int>& line : lines)
-    for (std::size_t k = 1; k < line.size(); ++k) sum += edge(mesh, line[k - 1], line[k]).norm();
-  return sum / static_cast<double>(lines.size());
-}
-
 template <int dim>
 std::string point_text(const Vector<dim>& x) {
   std::string text;
@@ -211,7 +202,7 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
       !curved.empty() && std::ranges::none_of(curved, [&](const std::vector<int>& line) {
         return is_broken(line) || is_straight<dim>(mesh, line);
       }))
-    return {curved, mean_length<dim>(mesh, curved)};
+    return {curved, lines.length};
   throw broken_line<dim>(along, lines.length, at(broken->front()),
                          place(broken->back()) - place(broken->front()));
 }

@@ -407,7 +407,7 @@ TEST_F(PairRolling, BothSurfacesWearAlongTheirTracks) {
                   observed(*model, run.last(), "worn_volume_flat"),
               1, 1e-3);
   const ContactSurface surface = model->contact(run.last()).value();
-  EXPECT_NEAR(std::ranges::max(surface.wear_depth) / (worn / 50), 1, 0.02);
+  EXPECT_NEAR(std::ranges::max(surface.wear_depth) / (worn / 50), 1, 5e-3);
 }
 
 /// A force on either body finds the creepage that makes it, and the opposite one its mirror image.
@@ -450,14 +450,14 @@ TEST_F(PairRolling, UnlikeBodiesCreepWhereTheyRollFreely) {
   const auto force_on_sides = [](const Model& model, const State& state) {
     return observed(model, state, "force_support_3_x");
   };
-  std::vector<double> forces;
-  for (const double creepage : {0.14, 0.16}) {
-    const auto model = rolls(creepage, 0.5);
+  {
+    const auto model = this->model(
+        rolling_cap(1000), {"body.1.young_modulus=2e4", "pair.1.friction=0.5", "motion.1.force=0",
+                            fmt::format("load.1.force=[0.0, {:.17g}]", -P)});
     Counters counters;
-    forces.push_back(force_on_sides(*model, model->start(counters)));
+    EXPECT_NEAR(observed(*model, model->start(counters), "creepage_x") / by_R / (0.644 * beta), 1,
+                0.03);
   }
-  const double of_no_force = 0.14 + 0.02 * forces[0] / (forces[0] - forces[1]);
-  EXPECT_NEAR(of_no_force / (0.644 * beta), 1, 0.03);
 
   constexpr double friction = 0.07, free = 0.1791;  // creepage by a / R, from there
   const auto model = rolls(free, friction);

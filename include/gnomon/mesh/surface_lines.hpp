@@ -25,8 +25,8 @@ struct Streamlines {
 
 struct SurfaceLines {
   std::vector<std::vector<int>> nodes;  ///< mesh nodes of each line, from one end to the other
-  double length = 0;  ///< of every line; of circles at the mean of their radii; of curved ones the
-                      ///< mean [length]
+  double length = 0;  ///< of every line; of circles at the mean of their radii; of curved ones that
+                      ///< of their chords, over which they are shifted [length]
 };
 
 /// In the plane the surface is a single line. Circles may be closed. Throws InputError where a node
