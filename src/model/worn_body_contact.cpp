@@ -59,11 +59,11 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
   return state;
 }
 
-/// rho of lambda_T in rolling, a part of a stiffness of contact: at 1 Newton's method may cycle
-/// from a cold start, and far below it turns the slip of nodes in space too slowly.
+/// rho of lambda_T in rolling, a small part of a stiffness of contact: at 1, and at 0.1 where
+/// friction is 2, Newton's method may cycle from a cold start.
 template <int dim>
 double rho_of_rolling(const Assembly<dim>& assembly, const std::vector<Upstream>& upstream) {
-  constexpr double softness = 0.1;
+  constexpr double softness = 0.01;
   double young = std::numeric_limits<double>::infinity(), rho = 0;
   for (const Body& body : assembly.bodies) young = std::min(young, body.material.young_modulus);
   for (const Upstream& at : upstream) rho = std::max(rho, softness * young / at.distance);

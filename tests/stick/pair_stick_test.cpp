@@ -459,6 +459,11 @@ TEST_F(PairRolling, UnlikeBodiesCreepWhereTheyRollFreely) {
                 0.03);
   }
 
+  // From cold with much friction, where the tangential multiplier may not be too stiff.
+  const auto sticky = rolls(0.05, 2);
+  Counters of_sticky;
+  EXPECT_GT(observed(*sticky, sticky->start(of_sticky), "stick_area"), 1.7 * a);
+
   constexpr double friction = 0.07, free = 0.1791;  // creepage by a / R, from there
   const auto model = rolls(free, friction);
   Counters counters;
