@@ -41,7 +41,8 @@ std::vector<Key> press_keys(const std::string& press) {
       {.name = press + ".cycle",
        .kind = KeyKind::text,
        .absent_meaning = "press.force does not change over the cycle",
-       .help = "factor of press.force, or of press.moment, over the cycle: an expression in tau, or a file of points "
+       .help = "factor of press.force, or of press.moment, over the cycle: an expression in tau, "
+               "or a file of points "
                "(.csv); a tangential force that drives fretting, for example (friction.stick)"},
       {.name = press + ".approach",
        .kind = KeyKind::reals,
