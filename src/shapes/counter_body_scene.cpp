@@ -237,9 +237,13 @@ void read_press(const Scene& scene, Section section, CounterBody<dim>& body) {
                      -guide.force.value_or(0));
   };
   std::ranges::stable_sort(body.guides, {}, rank);
+  // It does not come near along a force that swings beside the one that presses it.
+  const auto presses = [&](const Guide<dim>& guide) {
+    return &guide == &body.guides.front() || !scene.given(guide.key + ".cycle");
+  };
   Vector<dim> sum = Vector<dim>::Zero();
   for (const Guide<dim>& guide : body.guides)
-    if (guide.force && !guide.turns()) sum += *guide.force * guide.along;
+    if (guide.force && !guide.turns() && presses(guide)) sum += *guide.force * guide.along;
   if (sum.isZero(0) && body.guides.front().force)
     throw InputError(scene.path().string() +
                      ": [[counter_body.press]]: expected a direction with a force above zero");

@@ -180,6 +180,8 @@ TEST_F(Fretting, CattaneosTractionsOnAHalfPlane) {
              left = of_phase(surface, surface.phase_traction, 2, 0),
              slip = of_phase(surface, surface.phase_slip, 2, 0);
   EXPECT_NEAR(surface.phase_loop[2], Cattaneo::ratio * Cattaneo::f * Cattaneo::P, 1e-8);
+  EXPECT_NEAR(observed(*model, model->start(counters), "friction_force"),
+              Cattaneo::ratio * Cattaneo::f * Cattaneo::P, 1e-8);
   int stuck = 0, slipping = 0;
   for (std::size_t c = 0; c < surface.node.size(); ++c) {
     const double x = surface.initial[c][0], beside = 0.1 * Cattaneo::a();
