@@ -1,4 +1,6 @@
 // Friction that may stick: springs, Cattaneo and Mindlin, limits, derivatives and solvers.
+#include <gnomon/checks/checks.hpp>
+
 #include "stick/stick_scenes.hpp"
 
 namespace gnomon::stick_test {
@@ -276,6 +278,9 @@ cycle = "sin(2*pi*tau)"
   EXPECT_NEAR(observed(*model, start, "twist") / (2 * 5.0 * 6 / 1e3 / (1 + 2 * 0.2 * 0.2)), 1,
               1e-5);
   EXPECT_NEAR(observed(*model, start, "friction_moment"), 5, 1e-8);
+  EXPECT_TRUE(std::ranges::any_of(doubts(model->examine(start)), [](const std::string& doubt) {
+    return doubt.find("of first order in") != std::string::npos;
+  }));
   const ContactSurface surface = model->contact(start).value();
   ASSERT_EQ(surface.phase_turn.size(), 2 * surface.phase_position.size());
   EXPECT_NEAR(surface.phase_turn[1], 5, 1e-8);
