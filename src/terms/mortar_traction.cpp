@@ -1,6 +1,7 @@
 #include <gnomon/laws/stick_friction.hpp>
 #include <gnomon/terms/mortar_traction.hpp>
-#include <unsupported/Eigen/AutoDiff>
+
+#include "terms/independent_variables.hpp"
 
 namespace gnomon {
 
@@ -26,18 +27,6 @@ inline constexpr int variables = StickingTraction<dim>::own + dim + 1;
 template <int dim>
 using Number = Eigen::AutoDiffScalar<Eigen::Matrix<double, variables<dim>, 1>>;
 
-/// Makes them independent, one after the other.
-template <int dim>
-struct Independent {
-  int at = 0;
-  Number<dim> operator()(double value) { return {value, variables<dim>, at++}; }
-  Vector<dim, Number<dim>> operator()(const Vector<dim>& value) {
-    Vector<dim, Number<dim>> result;
-    for (int i = 0; i < dim; ++i) result[i] = (*this)(value[i]);
-    return result;
-  }
-};
-
 }  // namespace
 
 template <int dim>
@@ -46,7 +35,7 @@ StickingTraction<dim>::StickingTraction(const StickingParameters& parameters,
                                         std::optional<bool> given) {
   using Scalar = Number<dim>;
   using std::sqrt;
-  Independent<dim> independent;
+  IndependentVariables<Scalar> independent(variables<dim>);
   const Scalar lambda = independent(at.lambda);
   const Vector<dim, Scalar> own_traction = independent(at.traction), place = independent(at.place);
   const Scalar lambda_before = independent(at.lambda_before);

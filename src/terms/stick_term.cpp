@@ -1,5 +1,6 @@
 #include <gnomon/terms/stick_term.hpp>
-#include <unsupported/Eigen/AutoDiff>
+
+#include "terms/independent_variables.hpp"
 
 namespace gnomon {
 
@@ -14,27 +15,6 @@ template <int dim>
 using Dual =
     Eigen::AutoDiffScalar<Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_columns<dim>, 1>>;
 
-/// Makes independent variables, one after the other.
-template <int dim>
-class Variables {
-public:
-  explicit Variables(Eigen::Index count) : count_(static_cast<int>(count)) {}
-  Dual<dim> next(double value) { return {value, count_, at_++}; }
-  template <class Values>
-  auto next_of(const Values& values) {
-    Eigen::Matrix<Dual<dim>, Values::RowsAtCompileTime, Values::ColsAtCompileTime, 0,
-                  Values::MaxRowsAtCompileTime, Values::MaxColsAtCompileTime>
-        result(values.rows(), values.cols());
-    for (Eigen::Index k = 0; k < values.rows(); ++k)
-      for (Eigen::Index i = 0; i < values.cols(); ++i) result(k, i) = next(values(k, i));
-    return result;
-  }
-
-private:
-  int count_;
-  int at_ = 0;
-};
-
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& more) {
   to.insert(to.end(), more.begin(), more.end());
@@ -43,13 +23,6 @@ void append(std::vector<T>& to, const std::vector<T>& more) {
 template <class Row>
 void append_row(std::vector<int>& to, const Row& row) {
   for (Eigen::Index i = 0; i < row.size(); ++i) to.push_back(row[i]);
-}
-
-/// Of a row of s: u and s of its node in its direction, and q.
-std::vector<int> memory_columns(int u, int s, const std::vector<int>& q) {
-  std::vector<int> columns = {u, s};
-  append(columns, q);
-  return columns;
 }
 
 }  // namespace
@@ -116,6 +89,14 @@ std::vector<int> StickTerm<dim>::column_numbers(int c) const {
   return columns;
 }
 
+/// Of a row of s: u and s of its node in its direction, and q.
+template <int dim>
+std::vector<int> StickTerm<dim>::memory_columns(int c, int i) const {
+  std::vector<int> columns = {u_numbers_(state_.contact.patches[c].node, i), memory_numbers_(c, i)};
+  append(columns, q_numbers_);
+  return columns;
+}
+
 template <int dim>
 void StickTerm<dim>::declare(TermStructure& structure) const {
   for (int c = 0; c < count(); ++c) {
@@ -126,10 +107,8 @@ void StickTerm<dim>::declare(TermStructure& structure) const {
     structure.switch_jumps.insert(structure.switch_jumps.end(), 2, 0);
     for (std::size_t k = 0; k < law.kinks(); ++k) structure.switch_jumps.push_back(law.may_jump(k));
     if (!state_.is_last) continue;
-    for (int i = 0; i < dim; ++i) {
-      const int u = u_numbers_(state_.contact.patches[c].node, i), s = memory_numbers_(c, i);
-      structure.pattern.add({s}, memory_columns(u, s, q_numbers_));
-    }
+    for (int i = 0; i < dim; ++i)
+      structure.pattern.add({memory_numbers_(c, i)}, memory_columns(c, i));
   }
   for (const StickParameters<dim>& surface : surfaces_) {
     append(structure.breakpoints, surface.contact.wear.breakpoints());
@@ -147,44 +126,50 @@ void StickTerm<dim>::map_to(const SparsePattern& pattern) {
   for (int c = 0; c < count(); ++c) {
     map_.push_back(pattern.positions(row_numbers(c), column_numbers(c)));
     if (!state_.is_last) continue;
-    for (int i = 0; i < dim; ++i) {
-      const int u = u_numbers_(state_.contact.patches[c].node, i), s = memory_numbers_(c, i);
-      memory_map_.push_back(pattern.positions({s}, memory_columns(u, s, q_numbers_)));
-    }
+    for (int i = 0; i < dim; ++i)
+      memory_map_.push_back(pattern.positions({memory_numbers_(c, i)}, memory_columns(c, i)));
   }
 }
 
+/// Variables are in the order of the columns.
 template <int dim>
-StickInput<dim> StickTerm<dim>::gather(const Evaluation<dim>& at, int c) const {
+template <class Scalar>
+StickInput<dim, Scalar> StickTerm<dim>::gather(const Evaluation<dim>& at, int c) const {
   const ContactState<dim>& contact = state_.contact;
   const ContactPatch<dim>& patch = contact.patches[c];
+  const auto& guides = contact.parameters.counter_body.guides;
+  const std::vector<PartOfPlace>& parts = state_.before[c];
   const auto size = static_cast<Eigen::Index>(patch.nodes.size());
-  const NodalField<dim>&u = at.values.vector(contact.u), &d = at.values.vector(d_);
-  StickInput<dim> input{
-      .contact = {PatchNodal<dim>(size, dim),
-                  PatchNodal<dim>(size, dim),
-                  at.values.scalar(contact.lambda)[c],
-                  motion_.at(at, contact.q),
-                  {.time = at.t, .slid = contact.nominal_speed * at.t, .within = at.within}},
-      .traction = at.values.vector(state_.traction).row(c).transpose(),
-      .before = Vector<dim>::Zero(),
-      .lambda_before = at.values.scalar(state_.lambda_before)[c],
-      .carried = state_.carried.row(c).transpose(),
-      .interval = state_.interval[c],
-      .rubs = !state_.before[c].empty(),
-      .arm = patch.initial_position - state_.origin};
+  PatchNodal<dim> X(size, dim), u(size, dim);
   for (Eigen::Index p = 0; p < size; ++p) {
     const int node = patch.nodes[p];
-    input.contact.X.row(p) = contact.mesh.nodes[node].transpose() + d.row(node);
-    input.contact.u.row(p) = u.row(node);
+    X.row(p) = contact.mesh.nodes[node].transpose() + at.values.vector(d_).row(node);
+    u.row(p) = at.values.vector(contact.u).row(node);
   }
-  for (const PartOfPlace& part : state_.before[c])
-    input.before += part.factor * at.values.vector(part.field).row(part.row).transpose();
+  IndependentVariables<Scalar> variable(2 + 2 * dim + 2 * std::ssize(guides) +
+                                        dim * (std::ssize(parts) + size));
+  StickInput<dim, Scalar> input;
+  input.contact.lambda = variable(at.values.scalar(contact.lambda)[c]);
+  input.traction = variable(at.values.vector(state_.traction).row(c).transpose());
+  input.contact.q = variable(motion_.at(at, contact.q));
+  const PartnerMotion<Scalar> q_before = variable(motion_.at(at, state_.q_before));
+  input.contact.u = u.template cast<Scalar>();
+  input.contact.u.row(0) = variable(u.row(0).transpose()).transpose();
+  input.before.setZero();
+  for (const PartOfPlace& part : parts)
+    input.before +=
+        Scalar(part.factor) * variable(at.values.vector(part.field).row(part.row).transpose());
+  input.lambda_before = variable(at.values.scalar(state_.lambda_before)[c]);
+  input.contact.X = variable(X);
+  input.contact.moment = {.time = at.t, .slid = contact.nominal_speed * at.t, .within = at.within};
+  input.carried = state_.carried.row(c).transpose();
+  input.interval = state_.interval[c];
+  input.rubs = !parts.empty();
+  input.arm = patch.initial_position - state_.origin;
   if (!follows_a_phase()) return input;
-  input.before -= state_.carried_before.row(c).transpose();
-  const PartnerMotion<> q = motion_.at(at, state_.q_before);
-  const auto& guides = contact.parameters.counter_body.guides;
-  for (Eigen::Index k = 0; k < q.size(); ++k) input.before -= q[k] * guides[k].carries(input.arm);
+  input.before -= state_.carried_before.row(c).transpose().template cast<Scalar>();
+  for (Eigen::Index k = 0; k < q_before.size(); ++k)
+    input.before -= guides[k].carries(input.arm).template cast<Scalar>() * q_before[k];
   return input;
 }
 
@@ -197,7 +182,7 @@ StickBranch StickTerm<dim>::branch(const Evaluation<dim>& at, int c) const {
 
 template <int dim>
 StickNode<dim> StickTerm<dim>::node(const Evaluation<dim>& at, int c) const {
-  return {parameters(c), state_.contact.patches[c], gather(at, c), branch(at, c)};
+  return {parameters(c), state_.contact.patches[c], gather<double>(at, c), branch(at, c)};
 }
 
 template <int dim>
@@ -234,39 +219,11 @@ void StickTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F
 
 template <int dim>
 Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const {
-  const StickInput<dim> plain_input = gather(at, c);
-  const ContactPatch<dim>& patch = state_.contact.patches[c];
-  const auto guides = static_cast<Eigen::Index>(q_numbers_.size());
-  const std::vector<PartOfPlace>& parts = state_.before[c];
-  const auto columns =
-      2 + 2 * dim + 2 * guides + dim * static_cast<Eigen::Index>(parts.size() + patch.nodes.size());
-  Variables<dim> variable(columns);
-  StickInput<dim, Dual<dim>> input;
-  input.contact.lambda = variable.next(plain_input.contact.lambda);
-  input.traction = variable.next_of(plain_input.traction);
-  input.contact.q = variable.next_of(plain_input.contact.q);
-  const PartnerMotion<Dual<dim>> q_before =
-      variable.next_of(PartnerMotion<>(PartnerMotion<>::Zero(guides)));
-  input.contact.u = plain_input.contact.u.template cast<Dual<dim>>();
-  for (int i = 0; i < dim; ++i) input.contact.u(0, i) = variable.next(plain_input.contact.u(0, i));
-  input.before = plain_input.before.template cast<Dual<dim>>();
-  for (const PartOfPlace& part : parts)
-    input.before += Dual<dim>(part.factor) * variable.next_of(Vector<dim>(Vector<dim>::Zero()));
-  if (follows_a_phase())
-    for (Eigen::Index k = 0; k < guides; ++k)
-      input.before -= state_.contact.parameters.counter_body.guides[k]
-                          .carries(plain_input.arm)
-                          .template cast<Dual<dim>>() *
-                      q_before[k];
-  input.lambda_before = variable.next(plain_input.lambda_before);
-  input.contact.X = variable.next_of(plain_input.contact.X);
-  input.contact.moment = plain_input.contact.moment;
-  input.carried = plain_input.carried;
-  input.interval = plain_input.interval;
-  input.rubs = plain_input.rubs;
-  input.arm = plain_input.arm;
-  const StickNode<dim, Dual<dim>> met(parameters(c), patch, input, branch(at, c));
-
+  const auto input = gather<Dual<dim>>(at, c);
+  const StickNode<dim, Dual<dim>> met(parameters(c), state_.contact.patches[c], input,
+                                      branch(at, c));
+  const Eigen::Index guides = input.contact.q.size(),
+                     columns = input.contact.lambda.derivatives().size();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(1 + 3 * dim + guides, columns);
   Eigen::Index row = 0;
   const auto put = [&](const Dual<dim>& value, double factor = 1) {
@@ -307,7 +264,7 @@ void StickTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
 template <int dim>
 void StickTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> values) const {
   for (int c = 0; c < count(); ++c) {
-    const StickInput<dim> input = gather(at, c);
+    const auto input = gather<double>(at, c);
     const StickBranch given = branch(at, c);
     const StickNode<dim> met(parameters(c), state_.contact.patches[c], input, given);
     const std::span<double> of_node = own(values, c);

@@ -60,7 +60,9 @@ private:
   bool follows_a_phase() const { return state_.carried_before.size() > 0; }
   std::vector<int> row_numbers(int c) const;
   std::vector<int> column_numbers(int c) const;
-  StickInput<dim> gather(const Evaluation<dim>& at, int c) const;
+  std::vector<int> memory_columns(int c, int i) const;
+  template <class Scalar>
+  StickInput<dim, Scalar> gather(const Evaluation<dim>& at, int c) const;
   StickBranch branch(const Evaluation<dim>& at, int c) const;
   StickNode<dim> node(const Evaluation<dim>& at, int c) const;
   /// Rows and columns as their numbers, by automatic differentiation.
