@@ -4,6 +4,7 @@
 #include <gnomon/terms/contact_term.hpp>
 #include <gnomon/terms/stick_term.hpp>
 #include <limits>
+#include <map>
 
 #include "mesh/facet_table.hpp"
 #include "model/rigid_balance.hpp"
@@ -70,6 +71,41 @@ double rho_of_rolling(const Assembly<dim>& assembly, const std::vector<Upstream>
   return rho;
 }
 
+/// Of the material that comes to a node from upstream.
+template <int dim>
+struct Passage {
+  double length, interval;
+  Vector<dim> passed;  ///< of the partner, whatever is deformed [length]
+};
+
+/// A rigid partner goes on by itself, but with small strains (stick_node.hpp).
+template <int dim>
+Passage<dim> passage_of(const Assembly<dim>& body, const Upstream& at) {
+  const Rolling<dim>& rolling = *body.interface.rolling;
+  const CounterBody<dim>& partner = body.interface.partner;
+  const Vector<dim> X = body.mesh.nodes[static_cast<std::size_t>(at.node)];
+  const double interval = at.distance / rolling.velocity.norm();
+  Vector<dim> way = streamed(body.mesh, at);
+  if (rolling.linear && partner.motion.moves())
+    way -= interval * partner.motion.at(Vector<dim>(X - partner.position));
+  else if (rolling.linear)
+    way.setZero();
+  return {at.distance, interval, way + at.distance * rolling.creepage_at(X)};
+}
+
+/// dt (V^1 - V^2), with V^1 along the surface, which may be curved.
+template <int dim>
+Passage<dim> passage_of(const Assembly<dim>& body, const MortarPair<dim>& pair,
+                        const Upstream& at) {
+  const Rolling<dim>& rolling = *body.interface.rolling;
+  const Vector<dim> X = body.mesh.nodes[static_cast<std::size_t>(at.node)];
+  Vector<dim> way = streamed(body.mesh, at);
+  if (rolling.linear) way -= pair.approach * pair.approach.dot(way);
+  const double length = way.norm(), interval = length / pair.velocities[0].norm();
+  const Vector<dim> turned = rolling.spin * (X - rolling.centre);
+  return {length, interval, way - interval * pair.velocities[1] + length * turned};
+}
+
 }  // namespace
 
 /// Of pairs: facets that may meet in a phase, which need not be one of the assembly's.
@@ -93,142 +129,90 @@ SlipMemory WornBodyEquations<dim>::memory() const {
   return {fields().memory, memory_before_, memory_stuck_, assembly_->cycle->motion.cycle.period};
 }
 
+/// Of pairs r, else u.
+template <int dim>
+PartOfPlace WornBodyEquations<dim>::part_of_place(std::size_t p, int node, double factor) const {
+  if (assembly_->pairs.empty()) return {fields_[p].u, node, factor};
+  return {fields_[p].place, assembly_->contact_node(node), factor};
+}
+
 /// Of a phase of a path, after the one before it.
 template <int dim>
-StickState<dim> WornBodyEquations<dim>::stick_state(std::size_t p, double nominal_speed) const {
-  const double period = assembly_->cycle->motion.cycle.period;
-  StickState<dim> state{.contact = contact_state(*assembly_, phases_[p], fields_[p], nominal_speed),
-                        .traction = fields_[p].traction,
-                        .carried = carried(phases_[p]),
-                        .before = {},
-                        .origin = assembly_->interface.partner.position,
-                        .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
-                        .memory = memory(),
-                        .is_last = p + 1 == phases_.size(),
-                        .rho = assembly_->interface.rho,
-                        .interval = {},
-                        .share = phases_[p].interval / phases_[p].weight,
-                        .factor = assembly_->interface.friction_factor};
-  state.interval.assign(assembly_->contact_nodes.size(), phases_[p].interval * period);
-  for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
-    state.before.push_back({p == 0
-                                ? PartOfPlace{state.memory.s, static_cast<Eigen::Index>(c)}
-                                : PartOfPlace{fields_[p - 1].u, assembly_->contact_nodes[c].node}});
-  if (p == 0) return state;
-  state.q_before = fields_[p - 1].w;
-  state.carried_before = carried(phases_[p - 1]);
-  return state;
-}
-
-template <int dim>
-MortarPath<dim> WornBodyEquations<dim>::mortar_path(std::size_t p) const {
-  const WornBodyFields& fields = fields_[p];
-  const double period = assembly_->cycle->motion.cycle.period;
+StickingFriction<dim> WornBodyEquations<dim>::friction_on_path(std::size_t p) const {
+  const Phase<dim>& phase = phases_[p];
   const std::size_t count = assembly_->contact_nodes.size();
-  MortarPath<dim> path{.traction = fields.traction,
-                       .place = fields.place,
-                       .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
-                       .memory = memory(),
-                       .is_last = p + 1 == phases_.size(),
-                       .rho = assembly_->interface.rho,
-                       .interval = std::vector<double>(count, phases_[p].interval * period),
-                       .share = phases_[p].interval / phases_[p].weight,
-                       .factor = assembly_->interface.friction_factor};
+  StickingFriction<dim> friction{
+      .traction = fields_[p].traction,
+      .lambda_before = fields_[p == 0 ? fields_.size() - 1 : p - 1].lambda,
+      .memory = memory(),
+      .is_last = p + 1 == phases_.size(),
+      .rho = assembly_->interface.rho,
+      .interval = std::vector<double>(count, phase.interval * memory().period),
+      .share = phase.interval / phase.weight,
+      .factor = assembly_->interface.friction_factor};
   for (std::size_t c = 0; c < count; ++c)
-    path.before.push_back({{p == 0 ? fields.memory : fields_[p - 1].place, Eigen::Index(c)}});
-  return path;
+    friction.before.push_back({p == 0 ? PartOfPlace{fields_[p].memory, static_cast<Eigen::Index>(c)}
+                                      : part_of_place(p - 1, assembly_->contact_nodes[c].node)});
+  if (p > 0 && assembly_->pairs.empty()) friction.passed = carried(phases_[p - 1]);
+  return friction;
 }
 
-/// As rolling_state(), of pairs: the places on the partner's material in the place of
-/// displacements.
+/// In steady rolling, after the material was upstream, by differences of second order.
 template <int dim>
-MortarPath<dim> WornBodyEquations<dim>::mortar_rolling() const {
-  const Rolling<dim>& rolling = *assembly_->interface.rolling;
+StickingFriction<dim> WornBodyEquations<dim>::friction_in_rolling() const {
   const std::size_t count = assembly_->contact_nodes.size();
   const std::vector<Upstream> upstream = upstream_of(*assembly_);
-  MortarPath<dim> path{.traction = fields().traction,
-                       .place = fields().place,
-                       .before = std::vector<std::vector<PartOfPlace>>(count),
-                       .passed = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
-                       .lambda_before = fields().lambda,
-                       .rho = rho_of_rolling(*assembly_, upstream),
-                       .interval = std::vector<double>(count, 1),
-                       .flat = rolling.linear,
-                       .factor = assembly_->interface.friction_factor,
-                       .creepage = fields().creepage};
-  for (const MortarPair<dim>& pair : assembly_->pairs) {
-    const std::set<int> slaves = nodes_of_facets(pair.slave);
-    for (const Upstream& at : upstream) {
-      if (!slaves.contains(at.node)) continue;
-      const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
-      for (const auto& [node, factor] : at.from)
-        path.before[c].push_back({fields().place, assembly_->contact_node(node), factor});
-      Vector<dim> way = streamed(assembly_->mesh, at);
-      if (path.flat) way -= pair.approach * pair.approach.dot(way);
-      path.interval[c] = way.norm() / pair.velocities[0].norm();
-      // dt V^1 along the surface, which may be curved.
-      const Vector<dim> turned =
-          rolling.spin *
-          (assembly_->mesh.nodes[static_cast<std::size_t>(at.node)] - rolling.centre);
-      path.passed.row(static_cast<Eigen::Index>(c)) =
-          (way - path.interval[c] * pair.velocities[1] + way.norm() * turned).transpose();
-      if (path.creepage != FieldId::none) path.before[c].push_back({path.creepage, 0, -way.norm()});
-    }
-  }
-  return path;
-}
-
-/// The place before is where the material upstream is, by differences of second order.
-template <int dim>
-StickState<dim> WornBodyEquations<dim>::rolling_state(double nominal_speed) const {
-  const Rolling<dim>& rolling = *assembly_->interface.rolling;
-  const CounterBody<dim>& partner = assembly_->interface.partner;
-  const std::size_t count = assembly_->contact_nodes.size();
-  const std::vector<Upstream> upstream = upstream_of(*assembly_);
-  StickState<dim> state{
-      .contact = contact_state(*assembly_, phases_.front(), fields(), nominal_speed),
+  StickingFriction<dim> friction{
       .traction = fields().traction,
-      .carried = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
       .before = std::vector<std::vector<PartOfPlace>>(count),
+      .passed = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim),
       .lambda_before = fields().lambda,
       .rho = rho_of_rolling(*assembly_, upstream),
       .interval = std::vector<double>(count, 1),
-      .factor = assembly_->interface.friction_factor,
-      .rolling = rolling};
+      .factor = assembly_->interface.friction_factor};
+  std::map<int, const MortarPair<dim>*> pair_of;  // by node of the slave
+  for (const MortarPair<dim>& pair : assembly_->pairs)
+    for (const int node : nodes_of_facets(pair.slave)) pair_of[node] = &pair;
   for (const Upstream& at : upstream) {
     const auto c = static_cast<std::size_t>(assembly_->contact_node(at.node));
-    const Vector<dim> X = assembly_->mesh.nodes[static_cast<std::size_t>(at.node)];
+    const Passage<dim> passage = pair_of.empty() ? passage_of(*assembly_, at)
+                                                 : passage_of(*assembly_, *pair_of[at.node], at);
     for (const auto& [node, factor] : at.from)
-      state.before[c].push_back({fields().u, node, factor});
-    Vector<dim> way = streamed(assembly_->mesh, at);
-    state.interval[c] = at.distance / rolling.velocity.norm();
-    if (rolling.linear && partner.motion.moves())
-      way -= state.interval[c] * partner.motion.at(Vector<dim>(X - partner.position));
-    else if (rolling.linear)
-      way.setZero();
-    state.carried.row(static_cast<Eigen::Index>(c)) =
-        -(way + at.distance * rolling.creepage_at(X)).transpose();
+      friction.before[c].push_back(part_of_place(0, node, factor));
+    if (fields().creepage != FieldId::none)
+      friction.before[c].push_back({fields().creepage, 0, -passage.length});
+    friction.interval[c] = passage.interval;
+    friction.passed.row(static_cast<Eigen::Index>(c)) = passage.passed.transpose();
   }
-  return state;
+  return friction;
 }
 
 /// Of a phase.
 template <int dim>
 TermFactory<dim> WornBodyEquations<dim>::contact_of(std::size_t p, double speed) const {
   const Assembly<dim>& of = *assembly_;
-  const FieldId d = fields().d;
+  const WornBodyFields& fields = fields_[p];
+  const auto& rolling = of.interface.rolling;
+  std::optional<StickingFriction<dim>> friction;
+  if (of.interface.sticks) friction = friction_on_path(p);
+  if (rolling) friction = friction_in_rolling();
   if (!of.pairs.empty()) {
-    MortarState<dim> state =
-        mortar_state(of, phases_[p], fields_[p], speed, candidates_in(phases_[p]));
-    if (of.interface.sticks) state.path = mortar_path(p);
-    if (of.interface.rolling) state.path = mortar_rolling();
+    MortarState<dim> state = mortar_state(of, phases_[p], fields, speed, candidates_in(phases_[p]));
+    if (friction)
+      state.path = {*friction, fields.place, fields.creepage, rolling && rolling->linear};
     return [state](const Numbering& n) { return std::make_unique<MortarTerm<dim>>(state, n); };
   }
-  if (of.interface.sticks || of.interface.rolling)
-    return [state = of.interface.sticks ? stick_state(p, speed) : rolling_state(speed),
-            d](const Numbering& n) { return std::make_unique<StickTerm<dim>>(state, d, n); };
-  return [state = contact_state(of, phases_[p], fields_[p], speed), d](const Numbering& n) {
-    return std::make_unique<ContactTerm<dim>>(state, d, n);
+  const ContactState<dim> contact = contact_state(of, phases_[p], fields, speed);
+  if (!friction)
+    return [contact, d = fields.d](const Numbering& n) {
+      return std::make_unique<ContactTerm<dim>>(contact, d, n);
+    };
+  StickState<dim> state{*friction, contact, carried(phases_[p])};
+  state.origin = of.interface.partner.position;
+  state.rolling = rolling;
+  if (of.interface.sticks && p > 0) state.q_before = fields_[p - 1].w;
+  return [state, d = fields.d](const Numbering& n) {
+    return std::make_unique<StickTerm<dim>>(state, d, n);
   };
 }
 

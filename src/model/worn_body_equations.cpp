@@ -107,8 +107,9 @@ Vector<dim> WornBodyEquations<dim>::creepage(const FieldValues<dim>& values) con
 
 template <int dim>
 NodalField<dim> WornBodyEquations<dim>::carried(const Phase<dim>& phase) const {
-  NodalField<dim> result(static_cast<Eigen::Index>(assembly_->contact_nodes.size()), dim);
-  for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
+  const std::size_t count = assembly_->contact_nodes.size();
+  NodalField<dim> result = NodalField<dim>::Zero(static_cast<Eigen::Index>(count), dim);
+  for (std::size_t c = 0; assembly_->cycle && c < count; ++c)
     result.row(static_cast<Eigen::Index>(c)) =
         carried_by(assembly_->cycle->motion, assembly_->interface.partner, phase,
                    assembly_->contact_nodes[c].initial_position)

@@ -96,7 +96,7 @@ void choose_track(const Scene& scene, const AssemblyParts<dim>& parts, MortarPai
     return std::ranges::any_of(
         facets, [&](const auto& facet) { return on_tracks.contains(sorted(facet)); });
   };
-  // That which is curved along the lines: its material follows them (MortarPath::passed).
+  // That which is curved along the lines: its material follows them (passage_of()).
   const auto bend = [&](std::size_t side, const auto& facets) {
     const Vector<dim> along = pair.velocities[side].normalized();
     double most = 0;

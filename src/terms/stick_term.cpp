@@ -52,7 +52,7 @@ StickTerm<dim>::StickTerm(const StickState<dim>& state, FieldId d, const Numberi
   const auto guides = static_cast<Eigen::Index>(contact.parameters.counter_body.guides.size());
   for (Eigen::Index k = 0; k < guides; ++k) {
     q_numbers_.push_back(numbering.number(contact.q, k));
-    q_before_numbers_.push_back(follows_a_phase() ? numbering.number(state.q_before, k) : -1);
+    q_before_numbers_.push_back(state.q_before ? numbering.number(*state.q_before, k) : -1);
   }
 }
 
@@ -152,7 +152,8 @@ StickInput<dim, Scalar> StickTerm<dim>::gather(const Evaluation<dim>& at, int c)
   input.contact.lambda = variable(at.values.scalar(contact.lambda)[c]);
   input.traction = variable(at.values.vector(state_.traction).row(c).transpose());
   input.contact.q = variable(motion_.at(at, contact.q));
-  const PartnerMotion<Scalar> q_before = variable(motion_.at(at, state_.q_before));
+  const PartnerMotion<Scalar> q_before =
+      variable(motion_.at(at, state_.q_before.value_or(FieldId::none)));
   input.contact.u = u.template cast<Scalar>();
   input.contact.u.row(0) = variable(u.row(0).transpose()).transpose();
   input.before.setZero();
@@ -166,9 +167,9 @@ StickInput<dim, Scalar> StickTerm<dim>::gather(const Evaluation<dim>& at, int c)
   input.interval = state_.interval[c];
   input.rubs = !parts.empty();
   input.arm = patch.initial_position - state_.origin;
-  if (!follows_a_phase()) return input;
-  input.before -= state_.carried_before.row(c).transpose().template cast<Scalar>();
-  for (Eigen::Index k = 0; k < q_before.size(); ++k)
+  if (state_.passed.size() > 0)
+    input.before -= state_.passed.row(c).transpose().template cast<Scalar>();
+  for (Eigen::Index k = 0; state_.q_before && k < q_before.size(); ++k)
     input.before -= guides[k].carries(input.arm).template cast<Scalar>() * q_before[k];
   return input;
 }

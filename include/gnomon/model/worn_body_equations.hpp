@@ -116,12 +116,11 @@ private:
   void add_friction(const Scales& scales, FieldSet& set);
   void add_memory(double slip, const Scales& scales, FieldSet& set);
   void add_places(double slip, FieldSet& set);
-  StickState<dim> stick_state(std::size_t phase, double nominal_speed) const;
   SlipMemory memory() const;
   void let_memory_follow(Composition<dim>& composition) const;
-  MortarPath<dim> mortar_path(std::size_t phase) const;
-  MortarPath<dim> mortar_rolling() const;
-  StickState<dim> rolling_state(double nominal_speed) const;
+  PartOfPlace part_of_place(std::size_t phase, int node, double factor = 1) const;
+  StickingFriction<dim> friction_on_path(std::size_t phase) const;
+  StickingFriction<dim> friction_in_rolling() const;
   std::vector<MortarCandidates> candidates_in(const Phase<dim>& phase) const;
   TermFactory<dim> contact_of(std::size_t phase, double nominal_speed) const;
   void add_terms(std::vector<TermFactory<dim>>& terms);

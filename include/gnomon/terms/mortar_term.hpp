@@ -32,37 +32,21 @@
 #pragma once
 
 #include <algorithm>
-#include <gnomon/laws/friction_factor.hpp>
 #include <gnomon/terms/contact_nodes.hpp>
 #include <gnomon/terms/mortar_facet.hpp>
 #include <gnomon/terms/mortar_pair.hpp>
 #include <gnomon/terms/mortar_traction.hpp>
 #include <gnomon/terms/places_on_partner.hpp>
-#include <gnomon/terms/slip_memory.hpp>
 #include <optional>
 
 namespace gnomon {
 
-/// What friction that may stick adds to a phase of a path, or in steady rolling. Fields are those
-/// at the contact nodes.
+/// The same of pairs.
 template <int dim>
-struct MortarPath {
-  FieldId traction = FieldId::none;  ///< lambda_T
+struct MortarPath : StickingFriction<dim> {
   FieldId place = FieldId::none;     ///< r
-  /// Of each contact node r before, a sum without `passed`: r of the phase before, of the first one
-  /// s; in rolling r upstream. None: it has no friction.
-  std::vector<std::vector<PartOfPlace>> before{};
-  NodalField<dim>
-      passed{};  ///< in rolling: dt (V^1 - V^2), contact nodes x dim; else empty [length]
-  FieldId lambda_before = FieldId::none;  ///< of the phase before, around the cycle
-  SlipMemory memory{};                    ///< s
-  bool is_last = false;                   ///< of its path: it has the rows of s
-  double rho = 1;                         ///< of lambda_T [stress / length]
-  std::vector<double> interval{};         ///< of each contact node, since the place before [time]
-  double share = 1;                       ///< StickParameters::share
-  bool flat = false;                      ///< slopes are left out: small strains in rolling
-  FrictionFactor factor{};                ///< of the coefficients of friction, by the slave
-  FieldId creepage = FieldId::none;       ///< xi, a part of `before`; its rows have the force F
+  FieldId creepage = FieldId::none;  ///< xi, a part of `before`; its rows have the force F
+  bool flat = false;                 ///< slopes are left out: small strains in rolling
 };
 
 /// All pairs of an assembly in one contact state. The referenced objects must outlive the term.

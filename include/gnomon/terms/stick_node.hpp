@@ -47,10 +47,8 @@ Vector<dim, Scalar> rolling_velocity(const Rolling<dim>& rolling,
 template <int dim>
 struct StickParameters {
   ContactParameters<dim> contact;
-  double rho = 1;  ///< of the tangential multiplier [stress / length]
-  /// Of the interval in the part of the mean over the cycle that the phase stands for: wear_rate is
-  /// the rate over the interval times this.
-  double share = 1;
+  double rho = 1;                ///< of the tangential multiplier [stress / length]
+  double share = 1;              ///< StickingFriction::share
   bool shape_is_unknown = true;  ///< else a node may touch where it could not wear
   FrictionFactor factor{};       ///< of contact.friction
   std::optional<Rolling<dim>> rolling{};

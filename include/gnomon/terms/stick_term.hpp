@@ -11,32 +11,17 @@
 #include <gnomon/terms/contact_nodes.hpp>
 #include <gnomon/terms/contact_state.hpp>
 #include <gnomon/terms/places_on_partner.hpp>
-#include <gnomon/terms/slip_memory.hpp>
 #include <gnomon/terms/stick_node.hpp>
 
 namespace gnomon {
 
-/// A phase of a path, or steady rolling. What `contact` refers to must outlive the term.
+/// The same of a rigid partner. What `contact` refers to must outlive the term.
 template <int dim>
-struct StickState {
+struct StickState : StickingFriction<dim> {
   ContactState<dim> contact;
-  FieldId traction = FieldId::none;  ///< lambda_T, at the contact nodes
-  NodalField<dim> carried;           ///< c of the contact nodes [length]
-  /// Of each contact node, r before: their sum, without the c and the partner's motion of the phase
-  /// before, which the first phase of a path and rolling have not. None: it has no friction.
-  std::vector<std::vector<PartOfPlace>> before;
-  NodalField<dim> carried_before{};          ///< empty: none
-  FieldId q_before = FieldId::none;          ///< of the partner
+  NodalField<dim> carried;            ///< c of the contact nodes [length]
+  std::optional<FieldId> q_before{};  ///< of the partner in the phase before, where there is one
   Vector<dim> origin = Vector<dim>::Zero();  ///< of the partner's shape at rest [length]
-  /// Of the phase before, of the first one that of the last; in rolling, where the pressure does
-  /// not change, that of the state.
-  FieldId lambda_before = FieldId::none;
-  SlipMemory memory{};           ///< at the contact nodes
-  bool is_last = false;          ///< of its path: it has the rows of s
-  double rho = 1;                ///< of lambda_T [stress / length]
-  std::vector<double> interval;  ///< of each contact node, since the place before [time]
-  double share = 1;              ///< StickParameters::share
-  FrictionFactor factor{};       ///< of the coefficient of friction
   std::optional<Rolling<dim>> rolling{};
 };
 
@@ -57,7 +42,6 @@ public:
 
 private:
   int count() const { return static_cast<int>(state_.contact.patches.size()); }
-  bool follows_a_phase() const { return state_.carried_before.size() > 0; }
   std::vector<int> row_numbers(int c) const;
   std::vector<int> column_numbers(int c) const;
   std::vector<int> memory_columns(int c, int i) const;
