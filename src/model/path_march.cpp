@@ -99,9 +99,9 @@ void PathMarch<dim>::load() {
       find_equilibrium(alone.equations, alone.system, options, alone.values, counters_,
                        [&alone](std::span<double> y) { alone.go_on_from(y); });
   if (ramp.reached < 1) throw SolutionError(failure_of(ramp, whole_.assembly(), begin));
-  keep(alone, begin);
+  keep(alone, last_);
   for (std::size_t k = 1; k < steps.size(); ++k)
-    advance([&](double part) {
+    advance(last_, [&](double part) {
       return with_parts(begin, {std::lerp(steps[k - 1].press, steps[k].press, part),
                                 std::lerp(steps[k - 1].others, steps[k].others, part)});
     });
@@ -109,7 +109,7 @@ void PathMarch<dim>::load() {
 
 template <int dim>
 const FieldValues<dim>& PathMarch<dim>::cycle() {
-  values_.vector(whole_.fields().memory) = last_.place;
+  values_.vector(whole_.fields().memory) = place_;
   for (std::size_t p = 0; p < whole_.phases().size(); ++p) follow(p);
   is_expected_ = true;
   return values_;
@@ -117,25 +117,21 @@ const FieldValues<dim>& PathMarch<dim>::cycle() {
 
 /// After alone.values have the solution.
 template <int dim>
-void PathMarch<dim>::keep(const Alone& alone, const Phase<dim>& phase) {
-  const WornBodyFields& fields = alone.fields();
-  last_.u = alone.values.vector(fields.u);
-  last_.traction = alone.values.vector(fields.traction);
-  last_.lambda = alone.values.scalar(fields.lambda);
-  if (fields.w != FieldId::none) last_.w = alone.values.scalar(fields.w);
-  last_.carried = whole_.carried(phase);
-  last_.place = alone.places(alone.values);
+void PathMarch<dim>::keep(const Alone& alone, std::size_t phase) {
+  copy_phase(alone.values, alone.fields(), values_, whole_.fields(phase));
+  place_ = alone.places(alone.values);
+  last_ = phase;
 }
 
-/// To the last of the phases on the way, which `expected` has a guess of.
+/// To the last of the phases on the way, of which values_ may have a guess.
 template <int dim>
-void PathMarch<dim>::advance(const OnTheWay& on_the_way, const WornBodyFields* expected) {
+void PathMarch<dim>::advance(std::size_t to, const OnTheWay& on_the_way, bool is_expected) {
   const Phase<dim> phase = on_the_way(1);
   Alone alone(*this, phase);
   std::string reason;
-  if (expected) {
-    start_from(*expected, alone);
-    if (solve(alone, reason)) return keep(alone, phase);
+  if (is_expected) {
+    start_from(to, alone);
+    if (solve(alone, reason)) return keep(alone, to);
   }
   const auto from = [&](Carried carried) {
     guess(alone, phase, carried);
@@ -148,7 +144,7 @@ void PathMarch<dim>::advance(const OnTheWay& on_the_way, const WornBodyFields* e
         fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}; a "
                     "tangential force that friction does not balance has none: {}",
                     phase.position, reason));
-  keep(alone, phase);
+  keep(alone, to);
 }
 
 template <int dim>
@@ -156,19 +152,14 @@ void PathMarch<dim>::follow(std::size_t p) {
   const Phase<dim>& phase = whole_.phases()[p];
   const Assembly<dim>& assembly = whole_.assembly();
   advance(
+      p,
       [&](double part) {
         if (part == 1) return phase;
         return phase_at({phase.position - phase.interval * (1 - part), phase.weight},
                         assembly.cycle->motion, assembly.interface.partner,
                         assembly.interface.force);
       },
-      is_expected_ ? &whole_.fields(p) : nullptr);
-  const WornBodyFields& to = whole_.fields(p);
-  values_.vector(to.u) = last_.u;
-  values_.vector(to.traction) = last_.traction;
-  values_.scalar(to.lambda) = last_.lambda;
-  if (to.place != FieldId::none) values_.vector(to.place) = last_.place;
-  if (to.w != FieldId::none) values_.scalar(to.w) = last_.w;
+      is_expected_);
 }
 
 /// What friction shears the contact by [length].
@@ -180,9 +171,10 @@ double PathMarch<dim>::shear() const {
 /// How far the partner of every contact node goes on to a phase, where the bodies stay as they are.
 template <int dim>
 NodalField<dim> PathMarch<dim>::way_to(Alone& alone, const Phase<dim>& phase) const {
-  if (whole_.assembly().pairs.empty()) return whole_.carried(phase) - last_.carried;
+  if (whole_.assembly().pairs.empty())
+    return whole_.carried(phase) - whole_.carried(whole_.phases()[last_]);
   start_from_last(alone);
-  return last_.place - alone.places(alone.values);
+  return place_ - alone.places(alone.values);
 }
 
 /// Whether most of the way to a phase is slip.
@@ -193,26 +185,17 @@ bool PathMarch<dim>::is_far(Alone& alone, const Phase<dim>& phase) const {
 }
 
 template <int dim>
-void PathMarch<dim>::start_from_last(Alone& alone) const {
-  const WornBodyFields& fields = alone.fields();
-  alone.values.vector(fields.u) = last_.u;
-  alone.values.vector(fields.traction) = inside * last_.traction;
-  alone.values.scalar(fields.lambda) = last_.lambda;
-  if (fields.place != FieldId::none) alone.values.vector(fields.place) = last_.place;
-  if (fields.w != FieldId::none) alone.values.scalar(fields.w) = last_.w;
-  alone.remember(last_.place);
+void PathMarch<dim>::start_from(std::size_t phase, Alone& alone) const {
+  copy_phase(values_, whole_.fields(phase), alone.values, alone.fields());
+  alone.remember(place_);
 }
 
 template <int dim>
-void PathMarch<dim>::start_from(const WornBodyFields& expected, Alone& alone) const {
-  const WornBodyFields& fields = alone.fields();
-  alone.values.vector(fields.u) = values_.vector(expected.u);
-  alone.values.vector(fields.traction) = values_.vector(expected.traction);
-  alone.values.scalar(fields.lambda) = values_.scalar(expected.lambda);
-  if (fields.place != FieldId::none)
-    alone.values.vector(fields.place) = values_.vector(expected.place);
-  if (fields.w != FieldId::none) alone.values.scalar(fields.w) = values_.scalar(expected.w);
-  alone.remember(last_.place);
+void PathMarch<dim>::start_from_last(Alone& alone) const {
+  const FieldId place = alone.fields().place;
+  start_from(last_, alone);
+  alone.values.vector(alone.fields().traction) *= inside;
+  if (place != FieldId::none) alone.values.vector(place) = place_;
 }
 
 /// The state of the last phase, carried by the partner: wholly, so that all closed nodes begin as
@@ -264,7 +247,7 @@ bool PathMarch<dim>::by_halves(Alone& target, const OnTheWay& on_the_way, std::s
         guess(step, phase, Carried::wholly);
       else
         step.values = known;
-      step.remember(last_.place);
+      step.remember(place_);
       found = solve(step, reason);
       known = step.values;
     }

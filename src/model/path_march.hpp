@@ -15,25 +15,23 @@ namespace gnomon {
 template <int dim>
 class PathMarch {
 public:
-  /// What a phase leaves to the next one.
-  struct Last {
-    NodalField<dim> u, traction;
-    NodalField<dim> place;  ///< r, of every contact node
-    Eigen::VectorXd lambda, w;
-    NodalField<dim> carried;  ///< c, of every contact node; of pairs not read
-  };
-
   /// The path of these equations, at this shape and time; equations and counters must outlive it.
   PathMarch(const WornBodyEquations<dim>& equations, const FieldValues<dim>& shape, double t,
             Counters& counters, NewtonOptions newton = {.max_iterations = 40})
-      : whole_(equations), t_(t), counters_(counters), newton_(newton), values_(shape) {}
+      : whole_(equations),
+        t_(t),
+        counters_(counters),
+        newton_(newton),
+        values_(shape),
+        last_(equations.phases().size() - 1) {}
 
   /// The first loading (Interface::loading), where the path begins.
   void load();
-  void go_on_from(Last last) { last_ = std::move(last); }
-  /// Values of all fields, from which the phases of the next cycle are guessed.
-  void expect(const FieldValues<dim>& values) {
+  /// Values of all fields, the last phase being known; from the others those of the next cycle are
+  /// guessed. `place`: r of every contact node in the last phase.
+  void go_on_from(const FieldValues<dim>& values, NodalField<dim> place) {
     values_ = values;
+    place_ = std::move(place);
     is_expected_ = true;
   }
   /// The values of all fields over the next cycle, with the memory at its begin.
@@ -41,16 +39,16 @@ public:
 
 private:
   struct Alone;
-  void keep(const Alone& alone, const Phase<dim>& phase);
+  void keep(const Alone& alone, std::size_t phase);
   /// Phases from the last one, at part 0, to the next one, at part 1.
   using OnTheWay = std::function<Phase<dim>(double part)>;
-  void advance(const OnTheWay& on_the_way, const WornBodyFields* expected = nullptr);
+  void advance(std::size_t to, const OnTheWay& on_the_way, bool is_expected = false);
   void follow(std::size_t phase);
   double shear() const;
   NodalField<dim> way_to(Alone& alone, const Phase<dim>& phase) const;
   bool is_far(Alone& alone, const Phase<dim>& phase) const;
+  void start_from(std::size_t phase, Alone& alone) const;
   void start_from_last(Alone& alone) const;
-  void start_from(const WornBodyFields& expected, Alone& alone) const;
   enum class Carried { wholly, by_shear };
   void guess(Alone& alone, const Phase<dim>& phase, Carried by) const;
   bool solve(Alone& alone, std::string& reason);
@@ -62,7 +60,8 @@ private:
   NewtonOptions newton_;
   FieldValues<dim> values_;
   bool is_expected_ = false;  // values_ have a guess of every phase
-  Last last_;
+  std::size_t last_;          // that of which values_ are known
+  NodalField<dim> place_;     // r of every contact node there
 };
 
 /// The phases of a path, each in two halves.

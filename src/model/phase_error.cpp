@@ -215,17 +215,12 @@ void guess_halves(const WornBodyEquations<dim>& equations, const FieldValues<dim
                          &own = equations.fields(p);
     for (const double part : {0.5, 1.0}) {
       const WornBodyFields& to = finer.fields(2 * p + (part == 1));
-      const auto vector = [&](FieldId a, FieldId b) {
-        return NodalField<dim>((1 - part) * known.vector(a) + part * known.vector(b));
-      };
-      const auto scalar = [&](FieldId a, FieldId b) {
-        return Eigen::VectorXd((1 - part) * known.scalar(a) + part * known.scalar(b));
-      };
-      guess.vector(to.u) = vector(last.u, own.u);
-      guess.vector(to.traction) = vector(last.traction, own.traction);
-      guess.scalar(to.lambda) = scalar(last.lambda, own.lambda);
-      if (to.place != FieldId::none) guess.vector(to.place) = vector(last.place, own.place);
-      if (to.w != FieldId::none) guess.scalar(to.w) = scalar(last.w, own.w);
+      for (std::size_t k = 0; k < to.of_phase().size(); ++k) {
+        const FieldId a = last.of_phase()[k], b = own.of_phase()[k], between = to.of_phase()[k];
+        if (between == FieldId::none) continue;
+        guess.vector(between) = (1 - part) * known.vector(a) + part * known.vector(b);
+        guess.matrix(between) = (1 - part) * known.matrix(a) + part * known.matrix(b);
+      }
     }
   }
 }
@@ -240,15 +235,7 @@ std::vector<double> mean_rate_of_halves(const WornBodyEquations<dim>& equations,
   guess_halves(equations, values, finer, guess);
   Counters counters;
   PathMarch<dim> march(finer, guess, t, counters, rough_newton);
-  march.expect(guess);
-  const WornBodyFields& last = equations.fields(equations.phases().size() - 1);
-  march.go_on_from(
-      {.u = values.vector(last.u),
-       .traction = values.vector(last.traction),
-       .place = values.vector(last.memory),
-       .lambda = values.scalar(last.lambda),
-       .w = last.w == FieldId::none ? Eigen::VectorXd() : Eigen::VectorXd(values.scalar(last.w)),
-       .carried = equations.carried(equations.phases().back())});
+  march.go_on_from(guess, values.vector(equations.fields().memory));
   const FieldValues<dim> next = march.cycle();
   const ComposedSystem<dim> system(finer.composition());
   std::vector<double> y(static_cast<std::size_t>(system.structure().size));

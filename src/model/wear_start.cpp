@@ -300,14 +300,8 @@ State WearModel<dim>::start(Counters& counters) const {
         find_equilibrium(alone, contact, ramp_options(assembly()), of_phase, counters);
     if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly(), equations_.phases()[p]));
     if (alone.without_creepage() != alone.deformation()) find_creepage(alone, of_phase, counters);
-    const WornBodyFields &from = alone.fields(), &to = equations_.fields(p);
-    require_touch<dim>(assembly(), of_phase.scalar(from.lambda));
-    values.vector(to.u) = of_phase.vector(from.u);
-    values.scalar(to.lambda) = of_phase.scalar(from.lambda);
-    if (to.w != FieldId::none) values.scalar(to.w) = of_phase.scalar(from.w);
-    if (to.traction != FieldId::none) values.vector(to.traction) = of_phase.vector(from.traction);
-    if (to.creepage != FieldId::none) values.vector(to.creepage) = of_phase.vector(from.creepage);
-    if (to.place != FieldId::none) values.vector(to.place) = of_phase.vector(from.place);
+    require_touch<dim>(assembly(), of_phase.scalar(alone.fields().lambda));
+    copy_phase(of_phase, alone.fields(), values, equations_.fields(p));
   }
   State state;
   state.y.resize(system().structure().size);

@@ -1,6 +1,7 @@
 // The fields and terms of a wearing assembly, of which its system is composed (docs/equations.md).
 #pragma once
 
+#include <array>
 #include <functional>
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/system/composed_system.hpp>
@@ -25,7 +26,22 @@ struct WornBodyFields {
   FieldId place = FieldId::none;     ///< r, contact nodes; only there, in pairs
   FieldId creepage = FieldId::none;  ///< xi, of pairs that roll under a force along the contact
   FieldId memory = FieldId::none;    ///< s, that of all phases; differential; only there
+
+  /// Those of a phase alone.
+  std::array<FieldId, 6> of_phase() const { return {u, lambda, w, traction, place, creepage}; }
 };
+
+/// Copies what a phase has alone to a phase of other equations, of the same kind.
+template <int dim>
+void copy_phase(const FieldValues<dim>& values, const WornBodyFields& from, FieldValues<dim>& copy,
+                const WornBodyFields& to) {
+  for (std::size_t k = 0; k < to.of_phase().size(); ++k) {
+    const FieldId own = from.of_phase()[k], other = to.of_phase()[k];
+    if (other == FieldId::none) continue;
+    copy.vector(other) = values.vector(own);
+    copy.matrix(other) = values.matrix(own);
+  }
+}
 
 /// What a term of the equations stands for.
 enum class TermKind { body, press, mesh_motion, contact, evolution, spring, load };
