@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "linear/contact_entries.hpp"
@@ -52,13 +53,33 @@ public:
   }
   /// Makes the blocks of J.
   void gather() {
-    std::vector<Lists> lists(phases_.size());
+    const std::map<BlockKey, Entries> entries = sorted_entries();
     std::vector<Sparse> E_v, E_g;
-    sort_entries(lists);
     for (std::size_t p = 0; p < phases_.size(); ++p) {
-      make_sparse(phases_[p], lists[p]);
-      E_v.push_back(of_following(phases_[p].e, v_size(), lists[p].e_by_v));
-      E_g.push_back(of_following(phases_[p].e, std::ssize(g_), lists[p].e_by_g));
+      const auto block = [&](Kind row, Kind column, bool before = false) {
+        Sparse matrix(size_of(row, p), before && p == 0 ? 0 : size_of(column, p - before));
+        if (const auto found = entries.find({p, row, column, before}); found != entries.end())
+          matrix.setFromTriplets(found->second.begin(), found->second.end());
+        return matrix;
+      };
+      Phase& phase = phases_[p];
+      phase.v_by_y = block(Kind::u, Kind::y);
+      phase.y_by_v = block(Kind::y, Kind::u);
+      phase.y_by_before = block(Kind::y, Kind::u, true);
+      phase.y_by_y = block(Kind::y, Kind::y);
+      phase.y_by_y_before = block(Kind::y, Kind::y, true);
+      phase.y_by_e = block(Kind::y, Kind::e);
+      phase.y_by_e_before = block(Kind::y, Kind::e, true);
+      phase.y_by_g = block(Kind::y, Kind::g);
+      phase.g_by_v = block(Kind::g, Kind::u);
+      phase.g_by_y = block(Kind::g, Kind::y);
+      phase.g_by_e = block(Kind::g, Kind::e);
+      if (p == 0) g_by_g_ = block(Kind::g, Kind::g);
+      Eigen::VectorXd own(std::ssize(phase.e));
+      for (Eigen::Index k = 0; k < own.size(); ++k)
+        own[k] = at(phase.e[std::size_t(k)], phase.e[std::size_t(k)]);
+      E_v.push_back(own.cwiseInverse().asDiagonal() * block(Kind::e, Kind::u));
+      E_g.push_back(own.cwiseInverse().asDiagonal() * block(Kind::e, Kind::g));
     }
     for (std::size_t p = 0; p < phases_.size(); ++p) put_in_following(p, E_v, E_g);
   }
@@ -82,11 +103,9 @@ public:
 
 private:
   using Entries = std::vector<Eigen::Triplet<double>>;
-  /// Of a phase, the entries of blocks.
-  struct Lists {
-    Entries v_by_y, y_by_v, y_by_before, g_by_v, y_by_e, y_by_e_before, g_by_e, e_by_v, e_by_g;
-  };
   enum class Kind : char { other, u, y, e, g };
+  /// Of a phase: kinds of row and column, and whether the column is of the phase before.
+  using BlockKey = std::tuple<std::size_t, Kind, Kind, bool>;
   /// What an unknown is.
   struct Place {
     Kind kind = Kind::other;
@@ -211,63 +230,23 @@ private:
     }
   }
 
-  void sort_entries(std::vector<Lists>& lists) {
-    const auto g = std::ssize(g_);
-    for (std::size_t p = 0; p < phases_.size(); ++p) {
-      const auto y = std::ssize(phases_[p].y);
-      phases_[p].y_by_y.setZero(y, y);
-      phases_[p].y_by_y_before.setZero(y, p == 0 ? 0 : std::ssize(phases_[p - 1].y));
-      phases_[p].g_by_y.setZero(g, y);
-      phases_[p].y_by_g.setZero(y, g);
-    }
-    g_by_g_.setZero(g, g);
+  long size_of(Kind kind, std::size_t phase) const {
+    if (kind == Kind::g) return std::ssize(g_);
+    if (kind == Kind::u) return v_size();
+    return std::ssize(kind == Kind::y ? phases_[phase].y : phases_[phase].e);
+  }
+  std::map<BlockKey, Entries> sorted_entries() const {
+    std::map<BlockKey, Entries> entries;
     for (const Kind kind : {Kind::u, Kind::y, Kind::e, Kind::g})
       for_entries(kind, [&](int i, int j, double value) {
-        if (place_[i].number >= 0 && place_[j].number >= 0) sort_entry(i, j, value, lists);
+        const Place &row = place_[i], &column = place_[j];
+        if (row.number < 0 || column.number < 0) return;
+        const bool shared = row.kind == Kind::g || column.kind == Kind::g;
+        const int phase = row.kind == Kind::g ? column.phase : row.phase;
+        entries[{phase, row.kind, column.kind, !shared && row.phase != column.phase}].emplace_back(
+            row.number, column.number, value);
       });
-  }
-
-  void sort_entry(int i, int j, double value, std::vector<Lists>& lists) {
-    const Place &row = place_[i], &column = place_[j];
-    const bool same = row.phase == column.phase;
-    Phase &of_row = phases_[row.phase], &of_column = phases_[column.phase];
-    Lists &row_lists = lists[row.phase], &column_lists = lists[column.phase];
-    const auto put = [&](Entries& to) { to.emplace_back(row.number, column.number, value); };
-    const auto is = [&](Kind a, Kind b) { return row.kind == a && column.kind == b; };
-    if (is(Kind::u, Kind::y) && same) put(column_lists.v_by_y);
-    if (is(Kind::y, Kind::u)) put(same ? row_lists.y_by_v : row_lists.y_by_before);
-    if (is(Kind::y, Kind::e)) put(same ? row_lists.y_by_e : row_lists.y_by_e_before);
-    if (is(Kind::e, Kind::u)) put(row_lists.e_by_v);
-    if (is(Kind::e, Kind::g)) put(row_lists.e_by_g);
-    if (is(Kind::g, Kind::u)) put(column_lists.g_by_v);
-    if (is(Kind::g, Kind::e)) put(column_lists.g_by_e);
-    if (is(Kind::y, Kind::y))
-      (same ? of_row.y_by_y : of_row.y_by_y_before)(row.number, column.number) = value;
-    if (is(Kind::y, Kind::g)) of_row.y_by_g(row.number, column.number) = value;
-    if (is(Kind::g, Kind::y)) of_column.g_by_y(row.number, column.number) = value;
-    if (is(Kind::g, Kind::g)) g_by_g_(row.number, column.number) = value;
-  }
-
-  static Sparse sparse(long rows, long columns, const Entries& entries) {
-    Sparse matrix(rows, columns);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-  }
-  Sparse of_following(const std::vector<int>& e, long columns, const Entries& entries) const {
-    Eigen::VectorXd own(std::ssize(e));
-    for (std::size_t k = 0; k < e.size(); ++k) own[long(k)] = at(e[k], e[k]);
-    return own.cwiseInverse().asDiagonal() * sparse(std::ssize(e), columns, entries);
-  }
-  void make_sparse(Phase& phase, const Lists& lists) {
-    const bool first = &phase == phases_.data();
-    const long y = std::ssize(phase.y), e = std::ssize(phase.e), g = std::ssize(g_), v = v_size();
-    phase.v_by_y = sparse(v, y, lists.v_by_y);
-    phase.y_by_v = sparse(y, v, lists.y_by_v);
-    phase.y_by_before = sparse(y, v, lists.y_by_before);
-    phase.g_by_v = sparse(g, v, lists.g_by_v);
-    phase.y_by_e = sparse(y, e, lists.y_by_e);
-    phase.y_by_e_before = sparse(y, first ? 0 : std::ssize((&phase - 1)->e), lists.y_by_e_before);
-    phase.g_by_e = sparse(g, e, lists.g_by_e);
+    return entries;
   }
 
   void put_in_following(std::size_t p, const std::vector<Sparse>& E_v,
