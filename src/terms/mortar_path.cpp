@@ -60,6 +60,20 @@ StickingInput<dim> MortarTerm<dim>::sticking_input(const Evaluation<dim>& at, co
           .dropped = path.flat ? pair(side).approach : Vector<dim>::Zero()};
 }
 
+/// Whether a slave node slides, and its traction.
+template <int dim>
+void MortarTerm<dim>::find_sticking(const Evaluation<dim>& at, const Side& side,
+                                    SideState& state) const {
+  std::optional<bool> given;
+  if (!at.branch.empty()) given = at.branch[side.first_switch + 1] != 0;
+  state.sticking.emplace(sticking_parameters(at, side),
+                         sticking_input(at, side, state.normal->value), holds_gap(state), given);
+  state.traction = state.sticking->traction;
+  for (Eigen::RowVectorXd* by : {&state.traction.pressure_by_own, &state.traction.speed_by_own})
+    *by = by_parts(side.node, *by);
+  state.traction.by_own = by_parts(side.node, state.traction.by_own);
+}
+
 template <int dim>
 std::optional<Vector<dim>> MortarTerm<dim>::place_on_partner(const Side& side,
                                                              const SideState& state) const {
@@ -152,12 +166,7 @@ void MortarTerm<dim>::add_path(const Evaluation<dim>& at, const Side& side, cons
 }
 
 template FacetNodal<2> MortarTerm<2>::labels_of(const Evaluation<2>&, int, int) const;
-template StickingInput<2> MortarTerm<2>::sticking_input(const Evaluation<2>&, const Side&,
-                                                        const Vector<2>&) const;
-template StickingParameters MortarTerm<2>::sticking_parameters(const Evaluation<2>&,
-                                                               const Side&) const;
-template Vector<2> MortarTerm<2>::before(const Evaluation<2>&, int) const;
-template Eigen::MatrixXd MortarTerm<2>::by_parts(int, const Eigen::MatrixXd&) const;
+template void MortarTerm<2>::find_sticking(const Evaluation<2>&, const Side&, SideState&) const;
 template NodalField<2> MortarTerm<2>::places(const Evaluation<2>&) const;
 template void MortarTerm<2>::declare_path(const Side&, PatternBuilder&) const;
 template void MortarTerm<2>::add_path_residual(const Evaluation<2>&, const Side&, const SideState&,
@@ -165,12 +174,7 @@ template void MortarTerm<2>::add_path_residual(const Evaluation<2>&, const Side&
 template void MortarTerm<2>::add_path(const Evaluation<2>&, const Side&, const SideState&, double,
                                       std::span<double>) const;
 template FacetNodal<3> MortarTerm<3>::labels_of(const Evaluation<3>&, int, int) const;
-template StickingInput<3> MortarTerm<3>::sticking_input(const Evaluation<3>&, const Side&,
-                                                        const Vector<3>&) const;
-template StickingParameters MortarTerm<3>::sticking_parameters(const Evaluation<3>&,
-                                                               const Side&) const;
-template Vector<3> MortarTerm<3>::before(const Evaluation<3>&, int) const;
-template Eigen::MatrixXd MortarTerm<3>::by_parts(int, const Eigen::MatrixXd&) const;
+template void MortarTerm<3>::find_sticking(const Evaluation<3>&, const Side&, SideState&) const;
 template NodalField<3> MortarTerm<3>::places(const Evaluation<3>&) const;
 template void MortarTerm<3>::declare_path(const Side&, PatternBuilder&) const;
 template void MortarTerm<3>::add_path_residual(const Evaluation<3>&, const Side&, const SideState&,

@@ -89,14 +89,7 @@ void MortarTerm<dim>::find_traction(const Evaluation<dim>& at, const Side& side,
                      : at.branch[side.first_switch] != 0;
   state.lambda = state.active ? lambda : 0;
   if (state_.path) {
-    const std::optional<bool> given =
-        at.branch.empty() ? std::nullopt : std::optional(at.branch[side.first_switch + 1] != 0);
-    state.sticking.emplace(sticking_parameters(at, side),
-                           sticking_input(at, side, state.normal->value), holds_gap(state), given);
-    state.traction = state.sticking->traction;
-    for (Eigen::RowVectorXd* by : {&state.traction.pressure_by_own, &state.traction.speed_by_own})
-      *by = by_parts(side.node, *by);
-    state.traction.by_own = by_parts(side.node, state.traction.by_own);
+    find_sticking(at, side, state);
   } else if (state.active) {
     const Vector<dim> x = current(at, patch(side).node, place(side));
     state.traction = {SlidingTraction<dim>(patch(side), state.normal->value, x,
@@ -240,7 +233,6 @@ std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) 
 }
 
 template Vector<2> MortarTerm<2>::undeformed(const Evaluation<2>&, int) const;
-template Vector<2> MortarTerm<2>::current(const Evaluation<2>&, int, const BodyPlace<2>&) const;
 template std::pair<FacetPair<2>, std::vector<FacetNodal<2>>> MortarTerm<2>::places_of(
     const SlaveFacet&, const Evaluation<2>&, const Surfaces&) const;
 template double MortarTerm<2>::depth(const Evaluation<2>&, const Side&) const;
@@ -249,7 +241,6 @@ template MortarTerm<2>::Surfaces MortarTerm<2>::surfaces(const Evaluation<2>&) c
 template void MortarTerm<2>::switching(const Evaluation<2>&, std::span<double>) const;
 template std::vector<ContactNode<2>> MortarTerm<2>::nodes(const Evaluation<2>&) const;
 template Vector<3> MortarTerm<3>::undeformed(const Evaluation<3>&, int) const;
-template Vector<3> MortarTerm<3>::current(const Evaluation<3>&, int, const BodyPlace<3>&) const;
 template std::pair<FacetPair<3>, std::vector<FacetNodal<3>>> MortarTerm<3>::places_of(
     const SlaveFacet&, const Evaluation<3>&, const Surfaces&) const;
 template double MortarTerm<3>::depth(const Evaluation<3>&, const Side&) const;

@@ -157,6 +157,7 @@ private:
   void declare_path(const Side& side, PatternBuilder& pattern) const;
   double depth(const Evaluation<dim>& at, const Side& side) const;
   WearMoment moment(const Evaluation<dim>& at) const;
+  void find_sticking(const Evaluation<dim>& at, const Side& side, SideState& state) const;
   StickingParameters sticking_parameters(const Evaluation<dim>& at, const Side& side) const;
   StickingInput<dim> sticking_input(const Evaluation<dim>& at, const Side& side,
                                     const Vector<dim>& normal) const;
