@@ -186,19 +186,10 @@ void MortarTerm<dim>::declare(TermStructure& structure) const {
     const std::vector<int> rows = numbers_of({patch(side).node}, true);
     structure.pattern.add(rows, numbers_of(patch(side).nodes, false));
     if (side.slave && state_.path) declare_path(side, structure.pattern);
-    for (int k = 0; k < contact_switches(side); ++k) {
-      structure.switch_node.push_back(patch(side).node);
-      structure.switch_jumps.push_back(0);
-    }
-    for (std::size_t k = 0; k < law(side).kinks(); ++k) {
-      structure.switch_node.push_back(patch(side).node);
-      structure.switch_jumps.push_back(law(side).may_jump(k));
-    }
+    declare_switches(patch(side).node, static_cast<std::size_t>(contact_switches(side)), law(side),
+                     structure);
   }
-  for (const WearLaw& law : state_.laws) {
-    for (const double t : law.breakpoints()) structure.breakpoints.push_back(t);
-    for (const double t : law.stops()) structure.stops.push_back(t);
-  }
+  declare_times<dim>(state_.laws, {}, structure);
   if (!state_.path) return;
   for (const double t : state_.path->factor.breakpoints()) structure.breakpoints.push_back(t);
 }

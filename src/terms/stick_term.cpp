@@ -101,22 +101,13 @@ template <int dim>
 void StickTerm<dim>::declare(TermStructure& structure) const {
   for (int c = 0; c < count(); ++c) {
     structure.pattern.add(row_numbers(c), column_numbers(c));
-    const WearLaw& law = parameters(c).contact.wear;
-    structure.switch_node.insert(structure.switch_node.end(), 2 + law.kinks(),
-                                 state_.contact.patches[c].node);
-    structure.switch_jumps.insert(structure.switch_jumps.end(), 2, 0);
-    for (std::size_t k = 0; k < law.kinks(); ++k) structure.switch_jumps.push_back(law.may_jump(k));
+    declare_switches(state_.contact.patches[c].node, 2, parameters(c).contact.wear, structure);
     if (!state_.is_last) continue;
     for (int i = 0; i < dim; ++i)
       structure.pattern.add({memory_numbers_(c, i)}, memory_columns(c, i));
   }
-  for (const StickParameters<dim>& surface : surfaces_) {
-    append(structure.breakpoints, surface.contact.wear.breakpoints());
-    append(structure.stops, surface.contact.wear.stops());
-  }
+  declare_times(state_.contact.laws, state_.contact.parameters.counter_body.guides, structure);
   append(structure.breakpoints, state_.factor.breakpoints());
-  for (const Guide<dim>& guide : state_.contact.parameters.counter_body.guides)
-    if (guide.travel) append(structure.breakpoints, guide.travel->times());
 }
 
 template <int dim>

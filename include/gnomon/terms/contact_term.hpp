@@ -31,22 +31,9 @@ public:
   void declare(TermStructure& structure) const override {
     for (int c = 0; c < count(); ++c) {
       structure.pattern.add(row_numbers(c), column_numbers(c));
-      structure.switch_node.insert(structure.switch_node.end(), switching_functions(parameters(c)),
-                                   state_.patches[c].node);
-      structure.switch_jumps.push_back(0);
-      const WearLaw& law = parameters(c).wear;
-      for (std::size_t k = 0; k < law.kinks(); ++k)
-        structure.switch_jumps.push_back(law.may_jump(k));
+      declare_switches(state_.patches[c].node, 1, parameters(c).wear, structure);
     }
-    const auto add = [](std::vector<double>& times, const std::vector<double>& more) {
-      times.insert(times.end(), more.begin(), more.end());
-    };
-    for (const ContactParameters<dim>& surface : surfaces_) {
-      add(structure.breakpoints, surface.wear.breakpoints());
-      add(structure.stops, surface.wear.stops());
-    }
-    for (const Guide<dim>& guide : state_.parameters.counter_body.guides)
-      if (guide.travel) add(structure.breakpoints, guide.travel->times());
+    declare_times(state_.laws, state_.parameters.counter_body.guides, structure);
   }
 
   void map_to(const SparsePattern& pattern) override {
