@@ -37,8 +37,8 @@ std::string point_text(const std::array<double, 3>& x) {
 
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
-                   wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, blind = 1e-3, turned = 0.02,
-                   rounding = 1e-6;
+                   wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, blind = 1e-3,
+                   turned = 0.02, rounding = 1e-6;
   std::vector<std::string> found;
   const bool loaded = largest_force(facts) > rounding * facts.force;
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
@@ -81,10 +81,10 @@ std::vector<std::string> doubts(const Examination& facts) {
                     "of the contact, and have all of it",
                     facts.without_friction));
   if (facts.turn > turned)
-    found.push_back(
-        fmt::format("its moment turns the counter-body by {:.2g} rad, and slip is of first order in "
-                    "it, so that about {:.1f} % of the slip is wrong: cycle.rotation is exact",
-                    facts.turn, 100 * facts.turn / 2));
+    found.push_back(fmt::format(
+        "its moment turns the counter-body by {:.2g} rad, and slip is of first order in "
+        "it, so that about {:.1f} % of the slip is wrong: cycle.rotation is exact",
+        facts.turn, 100 * facts.turn / 2));
   if (std::abs(facts.upwind_power) > unbalanced)
     found.push_back(
         fmt::format("in rolling {:.2g} of the power of friction comes from differences along the "
