@@ -131,7 +131,8 @@ template <int dim>
 std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene, Section section) {
   std::map<std::string, BodyCycle<dim>> motions;
   for (const std::string& table : entries_of(scene, "motion", motion_keys_of_bodies(), {"body"})) {
-    const std::string key = table + ".body", name = scene.text(key);
+    const std::string key = table + ".body";
+    const std::string& name = scene.text(key);
     if (!motions.try_emplace(name, read_motion<dim>(scene, table, section)).second)
       refuse(scene, key, fmt::format("one [[motion]] for each body, got two for \"{}\"", name));
   }
