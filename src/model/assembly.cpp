@@ -129,7 +129,8 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
   if (this->condensed) {
     std::vector<int> nodes;
     for (const ContactPatch<dim>& patch : contact_nodes) nodes.push_back(patch.node);
-    condensation = std::make_shared<const Condensation<dim>>(*this, nodes);
+    if (!this->condensation || !this->condensation->keeps(nodes))
+      this->condensation = std::make_shared<const Condensation<dim>>(*this, nodes);
   }
   SharedShape shared = shared_shape(*this, contact_nodes);
   carrier = std::move(shared.carrier);

@@ -8,9 +8,11 @@
 #include <gnomon/model/physics.hpp>
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/springs.hpp>
+#include <map>
 #include <memory>
 
 #include "linear/blas.hpp"
+#include "model/connected_parts.hpp"
 
 namespace gnomon {
 
@@ -22,10 +24,10 @@ std::string varying_stiffness(const AssemblyParts<dim>& parts) {
         return body.element.kinematics == Kinematics::small;
       }))
     return "body.material = \"linear\": with finite strains the stiffness changes";
-  if (!std::ranges::all_of(parts.loads,
-                           [](const Load<dim>& load) { return load.forces.size() > 0; }))
+  const auto follows = [](const Load<dim>& load) { return load.forces.size() == 0; };
+  if (std::ranges::any_of(parts.loads, follows) ||
+      std::ranges::any_of(parts.swinging_loads, follows, &SwingingLoad<dim>::load))
     return "loads that do not follow the surface, instead of a pressure";
-  if (!parts.swinging_loads.empty()) return "loads without a factor of their own over the cycle";
   return {};
 }
 
@@ -129,20 +131,63 @@ void put(const Eigen::VectorXd& values, const std::vector<std::pair<int, int>>& 
 }  // namespace
 
 template <int dim>
-Condensation<dim>::Condensation(const AssemblyParts<dim>& parts, const std::vector<int>& nodes) {
+Condensation<dim>::Condensation(const AssemblyParts<dim>& parts, const std::vector<int>& nodes)
+    : nodes_(nodes) {
   if (const std::string reason = varying_stiffness(parts); !reason.empty())
     throw InputError("solver.reduce: expected " + reason);
   use_blas_threads(1);
   K_ = stiffness_of(parts);
-  number(parts, nodes);
+  number(parts);
   K_ii_ = part_of<dim>(K_, inner_, inner_);
   K_ic_ = part_of<dim>(K_, inner_, kept_);
   K_ci_ = part_of<dim>(K_, kept_, inner_);
   solve_inner_ = is_symmetric(K_ii_) ? solver_of<Eigen::CholmodSupernodalLLT<Sparse>>(K_ii_)
                                      : solver_of<Eigen::UmfPackLU<Sparse>>(K_ii_);
-  condense_stiffness();
+  for (CondensedPart& part : parts_) condense_stiffness(part);
+  add_loads(parts);
+}
+
+template <int dim>
+void Condensation<dim>::number(const AssemblyParts<dim>& parts) {
+  std::vector<char> touches(parts.mesh.nodes.size(), 0);
+  for (const int node : nodes_) touches[static_cast<std::size_t>(node)] = 1;
+  left_out_ = NodalFlags<dim>::Ones(parts.supports.held.rows(), dim);
+  const std::vector<int> connected = connected_parts(parts.mesh);
+  std::map<int, CondensedPart> of;  // by number of the connected part
+  for (int node = 0; node < static_cast<int>(touches.size()); ++node)
+    for (int i = 0; i < dim; ++i) {
+      if (parts.supports.held(node, i)) continue;
+      const bool keeps = touches[static_cast<std::size_t>(node)];
+      (keeps ? kept_ : inner_).emplace_back(node, i);
+      if (keeps) of[connected[static_cast<std::size_t>(node)]].kept.emplace_back(node, i);
+      left_out_(node, i) = !keeps;
+    }
+  for (auto& [number, part] : of) parts_.push_back(std::move(part));
+}
+
+template <int dim>
+void Condensation<dim>::condense_stiffness(CondensedPart& part) const {
+  constexpr Eigen::Index at_once = 32;  // columns of inner displacements, which are long
+  part.stiffness = part_of<dim>(K_, part.kept, part.kept);
+  const Sparse columns = part_of<dim>(K_, inner_, part.kept),
+               rows = part_of<dim>(K_, part.kept, inner_);
+  for (Eigen::Index first = 0; first < columns.cols(); first += at_once) {
+    const Eigen::Index count = std::min(at_once, columns.cols() - first);
+    part.stiffness.middleCols(first, count) -=
+        rows * solve_inner_(Eigen::MatrixXd(columns.middleCols(first, count)));
+  }
+}
+
+template <int dim>
+void Condensation<dim>::add_loads(const AssemblyParts<dim>& parts) {
   for (const Load<dim>& load : parts.loads)
-    loads_.push_back({load.forces, load.history, load.presses, true});
+    loads_.push_back({load.forces, load.history, load.presses,
+                      [](const Phase<dim>& phase) { return phase.load; }});
+  for (const auto& [load, factor] : parts.swinging_loads)
+    loads_.push_back({load.forces, load.history, load.presses,
+                      [swing = factor](const Phase<dim>& phase) {
+                        return phase.swing * swing.value(phase.position);
+                      }});
   for (const SpringSupport<dim>& springs : parts.supports.springs)
     loads_.push_back({pull_of(springs, parts), springs.history});
   condensed_ = loads_;
@@ -151,31 +196,6 @@ Condensation<dim>::Condensation(const AssemblyParts<dim>& parts, const std::vect
     NodalField<dim> u = NodalField<dim>::Zero(left_out_.rows(), dim);
     for (const auto& entry : moved.entries) u(entry.entity, entry.component) = entry.value;
     condensed_.push_back({condensed(-resistance(u)), moved.history});
-  }
-}
-
-template <int dim>
-void Condensation<dim>::number(const AssemblyParts<dim>& parts, const std::vector<int>& nodes) {
-  std::vector<char> touches(parts.mesh.nodes.size(), 0);
-  for (const int node : nodes) touches[static_cast<std::size_t>(node)] = 1;
-  left_out_ = NodalFlags<dim>::Ones(parts.supports.held.rows(), dim);
-  for (int node = 0; node < static_cast<int>(touches.size()); ++node)
-    for (int i = 0; i < dim; ++i) {
-      if (parts.supports.held(node, i)) continue;
-      const bool keeps = touches[static_cast<std::size_t>(node)];
-      (keeps ? kept_ : inner_).emplace_back(node, i);
-      left_out_(node, i) = !keeps;
-    }
-}
-
-template <int dim>
-void Condensation<dim>::condense_stiffness() {
-  constexpr Eigen::Index at_once = 32;  // columns of inner displacements, which are long
-  stiffness_ = part_of<dim>(K_, kept_, kept_);
-  for (Eigen::Index first = 0; first < K_ic_.cols(); first += at_once) {
-    const Eigen::Index count = std::min(at_once, K_ic_.cols() - first);
-    stiffness_.middleCols(first, count) -=
-        K_ci_ * solve_inner_(Eigen::MatrixXd(K_ic_.middleCols(first, count)));
   }
 }
 
@@ -196,12 +216,13 @@ NodalField<dim> Condensation<dim>::resistance(const NodalField<dim>& u) const {
 }
 
 template <int dim>
-NodalField<dim> Condensation<dim>::whole(const NodalField<dim>& u, double t, double cyclic) const {
+NodalField<dim> Condensation<dim>::whole(const NodalField<dim>& u, double t,
+                                         const Phase<dim>& phase) const {
   NodalField<dim> all = u;
   put<dim>(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(inner_.size())), inner_, all);
   NodalField<dim> forces = -resistance(all);
   for (const DeadForces<dim>& load : loads_)
-    forces += (load.cyclic ? cyclic : 1.0) * load.history.factor(t) * load.forces;
+    forces += load.factor(phase) * load.history.factor(t) * load.forces;
   put<dim>(solve_inner_(taken<dim>(forces, inner_)), inner_, all);
   return all;
 }

@@ -18,6 +18,7 @@ AssemblyParts<dim> following(AssemblyParts<dim> parts) {
   parts.shape = *parts.following;
   parts.following.reset();
   parts.condensed = false;
+  parts.condensation.reset();
   return parts;
 }
 

@@ -158,12 +158,13 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
 /// Of a phase, in its displacements at the contact nodes.
 template <int dim>
 void WornBodyEquations<dim>::add_condensed(std::size_t p, std::vector<TermFactory<dim>>& terms) {
-  add(terms, TermKind::body, p, [of = condensation_, f = fields_[p]](const Numbering& numbering) {
-    return std::make_unique<CondensedBody<dim>>(of->stiffness(), of->kept(), numbering, f.u);
-  });
+  for (const CondensedPart& part : condensation_->parts())
+    add(terms, TermKind::body, p, [&part, f = fields_[p]](const Numbering& numbering) {
+      return std::make_unique<CondensedBody<dim>>(part.stiffness, part.kept, numbering, f.u);
+    });
   for (const DeadForces<dim>& load : condensation_->loads())
     add(terms, TermKind::load, p,
-        [f = fields_[p], load, factor = load.cyclic ? phases_[p].load : 1](const Numbering& n) {
+        [f = fields_[p], load, factor = load.factor(phases_[p])](const Numbering& n) {
           using Purpose = typename Loads<dim>::Purpose;
           return std::make_unique<Loads<dim>>(n, f.u, factor * load.forces, load.history,
                                               load.presses ? Purpose::presses : Purpose::acts);

@@ -11,9 +11,10 @@
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/terms/material_law.hpp>
-#include <set>
+#include <map>
 
 #include "mesh/facet_table.hpp"
+#include "model/connected_parts.hpp"
 
 namespace gnomon {
 
@@ -92,11 +93,15 @@ bool read_condensed(const Scene& scene, const AssemblyParts<dim>& parts) {
       throw InputError(scene.where("solver.reduce") + ": expected " + reason);
     return condensed;
   }
-  const std::set<int> nodes = nodes_of_facets(facets_of(parts.interface.surfaces));
-  const double rows = dim * static_cast<double>(nodes.size());
+  const std::vector<int> connected = connected_parts(parts.mesh);
+  std::map<int, double> rows;  // by connected part
+  for (const int node : nodes_of_facets(facets_of(parts.interface.surfaces)))
+    rows[connected[static_cast<std::size_t>(node)]] += dim;
+  double entries = 0;
+  for (const auto& [part, count] : rows) entries += count * count;
   const double row_of_stiffness = dim * std::pow(3, dim);  // entries
   return reason.empty() &&
-         rows * rows < row_of_stiffness * dim * static_cast<double>(parts.mesh.nodes.size());
+         entries < row_of_stiffness * dim * static_cast<double>(parts.mesh.nodes.size());
 }
 
 template <int dim>

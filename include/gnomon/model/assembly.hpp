@@ -195,6 +195,8 @@ struct AssemblyParts {
   /// Where wear is a gap: how the mesh would follow it, for an estimate of the difference.
   std::optional<ShapeMotion<dim>> following{};
   bool condensed = false;  ///< the elasticity is condensed to the contact nodes (condensation.hpp)
+  /// Of a `condensed` assembly, which makes it where there is none yet of its contact nodes.
+  std::shared_ptr<const Condensation<dim>> condensation{};
   double memory = 0;       ///< ModelFacts::memory
   std::vector<std::string> remarks{};    ///< ModelFacts::remarks
   std::vector<std::string> proposals{};  ///< ModelFacts::proposals
@@ -247,8 +249,6 @@ struct Assembly : AssemblyParts<dim> {
   std::vector<double>
       track_length;          ///< by surface: of the mesh of its track; empty: none has one [length]
   std::vector<int> body_of;  ///< by cell
-  /// Of a `condensed` assembly; null: none.
-  std::shared_ptr<const Condensation<dim>> condensation;
 };
 
 /// The force k A^ u^ of the moved ends of springs, at factor one, nodes x dim [force].

@@ -104,7 +104,7 @@ public:
   void complete(FieldValues<dim>& values, double t) const {
     for (std::size_t p = 0; condensation_ && p < phases_.size(); ++p) {
       NodalField<dim>& u = values.vector(fields_[p].u);
-      u = condensation_->whole(u, t, phases_[p].load);
+      u = condensation_->whole(u, t, phases_[p]);
     }
   }
   /// The contact term of a phase, in a system of this composition.
