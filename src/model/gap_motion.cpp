@@ -1,5 +1,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/gap_motion.hpp>
+#include <optional>
 
 namespace gnomon {
 
@@ -13,14 +14,42 @@ std::vector<ContactPatch<dim>> nodes_of(const AssemblyParts<dim>& parts,
                               parts.section());
 }
 
+/// Whether a body does over the cycle.
+template <int dim>
+bool turns(const AssemblyParts<dim>& parts, int body) {
+  return std::ranges::any_of(parts.phases, [&](const Phase<dim>& phase) {
+    return !phase.places.empty() && !phase.places[static_cast<std::size_t>(body)].turn.isIdentity();
+  });
+}
+
+/// The direction in which the partner of a surface comes near to it, in the frame of its body: of
+/// bodies that meet several others, or turn over the cycle, there is none.
+template <int dim>
+std::optional<Vector<dim>> approach_to(const AssemblyParts<dim>& parts,
+                                       const Surface<dim>& surface) {
+  if (parts.pairs.empty()) return parts.interface.partner.approach;
+  std::optional<Vector<dim>> approach;
+  const auto has = [&](const std::vector<typename Mesh<dim>::Facet>& facets) {
+    return std::ranges::find(facets, surface.facets.front()) != facets.end();
+  };
+  for (const MortarPair<dim>& pair : parts.pairs)
+    for (const bool slave : {true, false}) {
+      if (!has(slave ? pair.slave : pair.master)) continue;
+      if (approach || turns(parts, pair.numbers[slave ? 0 : 1])) return {};
+      approach = slave ? pair.approach : Vector<dim>(-pair.approach);
+    }
+  return approach;
+}
+
 /// Whether depths along the direction in which the partner comes describe the worn surface: it does
 /// not turn away from it by more than 60 degrees.
 template <int dim>
-bool faces_partner(const std::vector<ContactPatch<dim>>& nodes, const Vector<dim>& approach) {
+bool faces_partner(const std::vector<ContactPatch<dim>>& nodes,
+                   const std::optional<Vector<dim>>& approach) {
   constexpr double least_cosine = 0.5;
-  return std::ranges::all_of(nodes, [&](const ContactPatch<dim>& patch) {
-    return -patch.initial_normal.dot(approach) >= least_cosine;
-  });
+  return approach && std::ranges::all_of(nodes, [&](const ContactPatch<dim>& patch) {
+           return -patch.initial_normal.dot(*approach) >= least_cosine;
+         });
 }
 
 /// The derivative of the volume by the position of a node, at the initial shape.
@@ -70,12 +99,12 @@ ShapeMotion<dim> gap_motion(const AssemblyParts<dim>& parts) {
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.wears) continue;
     const std::vector<ContactPatch<dim>> nodes = nodes_of(parts, surface);
-    const bool faces = faces_partner(nodes, parts.interface.partner.approach);
+    const std::optional<Vector<dim>> approach = approach_to(parts, surface);
+    const bool faces = faces_partner<dim>(nodes, approach);
     for (const ContactPatch<dim>& patch : nodes)
       move_along<dim>(patch.node,
                       direction_of<dim>(parts.mesh, patch, parts.shape.free(patch.node),
-                                        faces ? Vector<dim>(-parts.interface.partner.approach)
-                                              : patch.initial_normal),
+                                        faces ? Vector<dim>(-*approach) : patch.initial_normal),
                       shape);
   }
   return shape;

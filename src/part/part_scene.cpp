@@ -154,8 +154,6 @@ void require_partner(const Scene& scene) {
       throw InputError(scene.where(key.name) + ": expected none beside [[pair]]");
   if (!has_bodies(scene))
     throw InputError(scene.path().string() + ": [[pair]]: expected also a [[body]] for each body");
-  if (scene.text("shape.motion") == "gap")
-    throw InputError(scene.where("shape.motion") + ": expected \"mesh\" beside [[pair]]");
   if (scene.real("contact.initial_gap") != 0)
     throw InputError(scene.where("contact.initial_gap") +
                      ": expected none beside [[pair]]: the meshes say where the bodies are");
@@ -262,7 +260,7 @@ void judge_gap(const Magnitudes& expected, AssemblyParts<dim>& parts) {
       "the worn surface is expected to have a slope of about {:.2g}, and a depth of {:.2g} of the "
       "body's size",
       expected.slope, expected.thinning);
-  const bool small = has_small_strains(parts.bodies) && parts.pairs.empty();
+  const bool small = has_small_strains(parts.bodies);
   if (parts.shape.gap && !does)
     parts.remarks.push_back(
         fmt::format("wear is a gap: {}; above {:g} and {:g} use shape.motion = \"mesh\"", extent,

@@ -98,7 +98,6 @@ TEST(PairMistakes, OfPairs) {
           "no boundary of \"cylinder\" faces \"plate\""),
       key("a rigid partner, too", "counter_body.shape=plane", "expected none beside [[pair]]"),
       key("a gap between meshes", "contact.initial_gap=0.1", "the meshes say where the bodies are"),
-      key("wear as a gap", "shape.motion=gap", "expected \"mesh\" beside [[pair]]"),
   });
 }
 

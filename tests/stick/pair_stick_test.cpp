@@ -256,6 +256,31 @@ TEST_F(PairFretting, ASwingingLoadIsWhatFrictionCarries) {
   expect_refused(swinging_pad(), {"friction.stick=false"}, "expected friction.stick = true");
 }
 
+// With the mesh that follows the wear, with wear as a gap, and that over a condensed stiffness.
+TEST_F(PairFretting, WearAsAGapSticksAlike) {
+  struct Ended {
+    double worn, stuck;
+    std::vector<double> loop;
+  };
+  const auto run = [&](const Overrides& more) {
+    Overrides overrides = {"cycle.phases=4", "wear.coefficient=1e-6"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    const auto model = this->model(swinging_pad(), overrides);
+    const State end = run_model(*model, "esdirk-3", 0, 1e-5, 1000).last();
+    return Ended{observed(*model, end, "worn_volume"), observed(*model, end, "stick_area"),
+                 model->contact(end)->phase_loop};
+  };
+  const Ended mesh = run({}), gap = run({"shape.motion=gap", "solver.reduce=false"}),
+              condensed = run({"shape.motion=gap", "solver.reduce=true"});
+  EXPECT_GT(mesh.worn, 0);
+  EXPECT_NEAR(gap.worn / mesh.worn, 1, 1e-3);
+  EXPECT_EQ(gap.stuck, mesh.stuck);
+  EXPECT_NEAR(condensed.worn / gap.worn, 1, 1e-5);
+  ASSERT_EQ(condensed.loop.size(), gap.loop.size());
+  for (std::size_t k = 0; k < gap.loop.size(); ++k)
+    EXPECT_NEAR(condensed.loop[k], gap.loop[k], 1e-4 * 10);
+}
+
 /// Its nodes leave the base and come back in every cycle.
 TEST_F(PairFretting, AnOverhangingPadWearsByItsPath) {
   const auto model = this->model(
