@@ -191,7 +191,9 @@ double load_on_levers(const AssemblyParts<dim>& parts) {
         return part.loose.bottomRows(rigid_motions_of(dim) - dim).norm() > rounding;
       });
   double whole = 0;
-  for (const Load<dim>& load : parts.loads) whole += resultant(load, parts).norm();
+  for (const Load<dim>& load : parts.loads)
+    whole += load.forces.size() > 0 ? load.forces.rowwise().norm().sum()  // a moment has no resultant
+                                    : resultant(load, parts).norm();
   return turns ? whole : 0;
 }
 

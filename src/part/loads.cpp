@@ -5,6 +5,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/part/assembly_scene.hpp>
+#include <gnomon/shapes/counter_body_scene.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
 
 #include "part/groups.hpp"
@@ -21,6 +22,11 @@ std::vector<Key> load_keys() {
                 "resultant, distributed evenly over the initial area; its direction stays"),
       reals_key("load.#.traction", "MPa", absent("none"), any_quantity,
                 "force by initial area; its direction stays"),
+      real_key("load.#.moment", "N in plane strain, else N mm", absent("none"), any_quantity,
+               "without a resultant, by forces that grow linearly from the centroid of the initial "
+               "area; in the plane from x to y; its direction stays"),
+      reals_key("load.#.axis", "", absent("none"), {},
+                "in space: direction of the axis of the moment, of any length"),
       real_key("load.#.pressure", "MPa", absent("none"), any_quantity,
                "pressure, positive pushes on the body; follows the deformed surface"),
       reals_key("load.#.acceleration", "mm/s^2", absent("none"), any_quantity,
@@ -45,10 +51,57 @@ NodalField<dim> weight(const Mesh<dim>& mesh, const std::vector<Body>& bodies,
   return sum;
 }
 
+/// Forces along w x r by area, r from the centroid: with the moment M about the axis, and without a
+/// resultant. `about`: the rotation by one about the axis.
+template <int dim>
+NodalField<dim> moment_load(const Mesh<dim>& mesh, const Facets<dim>& facets,
+                            const Tensor<dim>& about, double M, Section section) {
+  const auto patches = contact_patches<dim>(mesh, facets, {}, section);
+  double area = 0;
+  Vector<dim> centre = Vector<dim>::Zero();
+  for (const auto& patch : patches) {
+    area += patch.initial_area;
+    centre += patch.initial_area * patch.initial_position;
+  }
+  centre /= area;
+  Tensor<dim> second = Tensor<dim>::Zero();  // moments of area
+  for (const auto& patch : patches) {
+    const Vector<dim> r = patch.initial_position - centre;
+    second += patch.initial_area * r * r.transpose();
+  }
+  const double polar = second.trace();
+  Tensor<dim> turn;
+  if constexpr (dim == 2) {
+    turn = M / polar * about;
+  } else {
+    const Vector<3> axis(about(2, 1), about(0, 2), about(1, 0));
+    const Vector<3> w = (polar * Tensor<3>::Identity() - second).ldlt().solve(M * axis);
+    turn << 0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0;
+  }
+  NodalField<dim> forces = NodalField<dim>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), dim);
+  for (const auto& patch : patches)
+    forces.row(patch.node) =
+        (patch.initial_area * turn * (patch.initial_position - centre)).transpose();
+  return forces;
+}
+
+/// Throws where the axis of a moment is missing, or belongs to none.
+template <int dim>
+void check_axis(const Scene& scene, const std::string& load, bool moment) {
+  const bool axis = scene.given(load + ".axis");
+  if (axis && (!moment || dim == 2))
+    throw InputError(scene.where(load + ".axis") + ": expected none" +
+                     (moment ? " in the plane" : " without " + load + ".moment"));
+  if (moment && dim == 3 && !axis)
+    throw InputError(scene.where(load + ".moment") + ": expected also " + load + ".axis");
+  if (moment && section_of(scene) == Section::meridian)
+    throw InputError(scene.where(load + ".moment") + ": expected none in an axisymmetric scene");
+}
+
 /// The key of the load that is given. Throws unless it is one.
 std::string kind_of(const Scene& scene, const std::string& load) {
   std::string kind;
-  for (const char* name : {"force", "traction", "pressure", "acceleration"}) {
+  for (const char* name : {"force", "moment", "traction", "pressure", "acceleration"}) {
     if (!scene.given(load + "." + name)) continue;
     if (!kind.empty())
       throw InputError(fmt::format("{}: expected one kind of load, got also {}",
@@ -57,7 +110,7 @@ std::string kind_of(const Scene& scene, const std::string& load) {
   }
   if (kind.empty())
     throw InputError(
-        fmt::format("{}: {}: expected one of force, traction, pressure and acceleration",
+        fmt::format("{}: {}: expected one of force, moment, traction, pressure and acceleration",
                     scene.path().string(), load));
   if ((kind == "acceleration") == scene.given(load + ".on"))
     throw InputError(kind == "acceleration"
@@ -74,9 +127,15 @@ Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedB
   const std::string kind = kind_of(scene, load), key = load + "." + kind, on = load + ".on";
   Load<dim> result{.history = read_history(scene, load)};
   const Section section = section_of(scene);
+  check_axis<dim>(scene, load, kind == "moment");
   if (scene.given(on)) result.facets = group_facets(scene, on, scene.text(on), part);
   if (kind == "pressure") {
     result.pressure = scene.real(key);
+    return result;
+  }
+  if (kind == "moment") {
+    const Tensor<dim> about = rotation_spin<dim>(scene, 1, key, load + ".axis");
+    result.forces = moment_load<dim>(part.mesh, result.facets, about, scene.real(key), section);
     return result;
   }
   const Vector<dim> vector = read_point<dim>(scene, key);

@@ -256,6 +256,27 @@ TEST_F(PairFretting, ASwingingLoadIsWhatFrictionCarries) {
   expect_refused(swinging_pad(), {"friction.stick=false"}, "expected friction.stick = true");
 }
 
+// The pressures of a phase turn about the centre of the pad as its moment does.
+TEST_F(PairFretting, ASwingingMomentMovesThePressures) {
+  const auto model = this->model(
+      pad("", ", { on = \"top\", moment = 1.0, cycle = \"sin(2*pi*tau)\" }", ", stiffness = 1e-6"),
+      {"cycle.phases=4"});
+  Counters counters;
+  const ContactSurface surface = model->contact(model->start(counters)).value();
+  const std::size_t count = surface.node.size();
+  for (std::size_t p = 0; p < surface.phase_position.size(); ++p) {
+    double force = 0, torque = 0;
+    for (std::size_t c = 0; c < count; ++c) {
+      if (surface.body[c] != 1) continue;  // the pad's, from 0.3 to 1.1
+      const double x = surface.initial[c][0] - 0.7, end = std::abs(x) > 0.4 - 1e-9 ? 0.5 : 1,
+                   share = end * surface.phase_pressure[p * count + c];
+      force += share, torque += share * x;
+    }
+    const double moment = std::sin(2 * M_PI * surface.phase_position[p]);
+    EXPECT_NEAR(torque / force, -moment / 10, 2e-3) << p;
+  }
+}
+
 // With the mesh that follows the wear, with wear as a gap, and that over a condensed stiffness.
 TEST_F(PairFretting, WearAsAGapSticksAlike) {
   struct Ended {
