@@ -191,6 +191,69 @@ TEST_F(PairFretting, SimilarBodiesSlipAndWearAsCattaneosAndMindlins) {
   EXPECT_NEAR(observed(*model, start, "stick_area") / (2 * theory.c()), 1, 0.1);
 }
 
+/// When what slips carries nothing any more, and sticks as before within c: the pressures are those
+/// of the first profile over c and of a flat punch, and both bodies together have lost where they
+/// would overlap (2 R) h = a^2 acosh(x/c) - x sqrt(x^2 - c^2).
+struct WornLimit {
+  double c, area = 0, depth = 0;
+
+  explicit WornLimit(double stick) : c(stick) {
+    constexpr double step = 1e-3;
+    for (double xi = 1 + step / 2;; xi += step) {
+      const double h =
+          (std::pow(Mindlin::a(), 2) * std::acosh(xi) - c * c * xi * std::sqrt(xi * xi - 1)) /
+          (2 * Mindlin::R);
+      if (h < 0) return;
+      area += 2 * h * step * c;
+      depth = std::max(depth, h);
+    }
+  }
+  /// That which has lost this area.
+  static WornLimit of_area(double area) {
+    double low = 0.2 * Mindlin::a(), high = Mindlin::a();  // what sticks less wears more
+    while (high - low > 1e-9) {
+      const double middle = (low + high) / 2;
+      (WornLimit(middle).area > area ? low : high) = middle;
+    }
+    return WornLimit(low);
+  }
+};
+
+// The width of stick stays that of the start, but for an element at its edge, where the pressures
+// of the limit are singular; the area, which this changes much, tends to the limit like h.
+TEST_F(PairFretting, SimilarBodiesWearUntilWhatSlipsCarriesNothing) {
+  const Mindlin theory{0.6};
+  const double Q = theory.ratio * Mindlin::f * Mindlin::P,
+               height = 2 + 6 - std::sqrt(36.0 - 4.0);  // where the load acts
+  std::string text = similar();
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    const auto at = text.find(from);
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, from.size(), to);
+  };
+  replace("motion = [ { body = \"cap\", cycle = { x = \"1e-3 * sin(2*pi*tau)\" } } ]", "");
+  replace("directions = [\"x\"] }", "directions = [\"x\"], stiffness = 1e-6 }");
+  replace("force = [0.0, -18.5] }",
+          fmt::format("force = [0.0, -18.5] }}, {{ on = \"top\", force = [{}, 0.0], cycle = "
+                      "\"sin(2*pi*tau)\" }}, {{ on = \"top\", moment = {}, cycle = "
+                      "\"sin(2*pi*tau)\" }}",
+                      Q, Q * height));
+  std::vector<double> areas;
+  for (const int half : {16, 32}) {
+    folder_.write("two.geo", two_half_planes(half, 14, 1.32));
+    const auto model = this->model(text, {"shape.motion=gap", "time.cycles=2e6"});
+    const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 2e6);
+    EXPECT_LT(observed(*model, run.last(), "wear_flux"),
+              1e-3 * observed(*model, run.states.front(), "wear_flux"));
+    areas.push_back(observed(*model, run.last(), "worn_volume"));
+    const WornLimit limit = WornLimit::of_area(areas.back());
+    EXPECT_NEAR(2 * observed(*model, run.last(), "wear_depth") / limit.depth, 1, 0.02);
+    EXPECT_LT(limit.c, theory.c());
+    EXPECT_GT(limit.c, theory.c() - 0.06 / half);
+  }
+  EXPECT_NEAR((2 * areas[1] - areas[0]) / WornLimit(theory.c()).area, 1, 0.06);
+}
+
 /// A cap that hardly deforms does as the rigid cylinder of a counter-body.
 TEST_F(PairFretting, AStiffBodyIsAsACounterBody) {
   const std::string drive = "x = \"4e-4 * sin(2*pi*tau)\"";
