@@ -31,6 +31,8 @@ constexpr std::array table = {
     Quantity{"wear_integral", "mm^2", "mm^3", "integral of the wear flux over time"},
     Quantity{"wear_difference", "mm^2", "mm^3", "worn volume minus wear integral"},
     Quantity{"wear_depth", "mm", "mm", "largest depth of wear at a contact node"},
+    Quantity{"thickness_left", "", "",
+             "where wear is a gap: smallest part of the thickness of a body that wear has left"},
     Quantity{"friction_work", "N", "N mm", "work of friction in a cycle, where it may stick"},
     Quantity{"slip_path", "mm", "mm", "longest slip of a contact node in a cycle"},
     Quantity{"stroke", "mm", "mm",

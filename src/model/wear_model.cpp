@@ -9,6 +9,7 @@
 #include "model/connected_parts.hpp"
 #include "model/observed_rolling.hpp"
 #include "model/resultants.hpp"
+#include "model/thickness.hpp"
 #include "model/tracks.hpp"
 
 namespace gnomon {
@@ -208,6 +209,7 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
       equations_(std::move(equations)),
       resultants_(std::make_shared<const Resultants<dim>>(WornBodyEquations<dim>(
           equations_.shared_assembly(), equations_.phases(), Elasticity::whole))) {
+  if (assembly().shape.gap) thickness_ = thickness_behind(assembly());
   ModelFacts& facts = *this;
   facts.differential_scale = assembly().scales.wear_depth;
   facts.grid->parts = assembly().named_parts;
@@ -303,6 +305,12 @@ Observation WearModel<dim>::observe(const State& state) const {
   if (dim == 2 && assembly().pairs.size() < 2)
     observed.push_back(common("contact_half_width", half_width));
   observed.push_back(common("wear_depth", largest_over_processes(depth)));
+  if (assembly().shape.gap) {
+    double worn = 0;  // of the thickness
+    for (std::size_t c = 0; c < thickness_.size(); ++c)
+      worn = std::max(worn, wear_depth(c, d) / thickness_[c]);
+    observed.push_back(common("thickness_left", 1 - largest_over_processes(worn)));
+  }
   observed.push_back(common("contact_area", area.area, units));
   observed.push_back(common("contact_area_error", area.unknown, units));
   observed.insert(observed.end(), motion.begin(), motion.end());

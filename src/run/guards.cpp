@@ -240,6 +240,8 @@ double initial_quality(const std::optional<Grid>& grid) {
 void require_sound_mesh(const Observation& observed) {
   const double volume = value_of(observed, "element_volume").value_or(sound);
   const double quality = value_of(observed, "element_quality").value_or(sound);
+  if (value_of(observed, "thickness_left").value_or(sound) <= 0)
+    throw SolutionError("a body is worn through: wear has taken all its thickness at a node");
   // With such an element steps would become ever shorter without an end.
   if (volume < 0.01)
     throw SolutionError(fmt::format(
@@ -263,6 +265,10 @@ std::vector<MeshWarning> mesh_warnings(const Observation& observed, double initi
   else if (quality < nearly_folded)
     warnings.push_back({initial < nearly_folded && quality >= initial / 2 ? "mesh" : "wear",
                         folding_text(quality, initial)});
+  if (const double left = value_of(observed, "thickness_left").value_or(sound); left < 0.1)
+    warnings.push_back(
+        {"thickness",
+         fmt::format("a body is worn down to {:.2g} of its thickness; at 0 the run ends", left)});
   const double gradient = value_of(observed, "displacement_gradient").value_or(0);
   if (gradient > 0.5)
     warnings.push_back(

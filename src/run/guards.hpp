@@ -102,7 +102,8 @@ private:
 };
 
 /// Throws SolutionError for a state with an element that is folded (element_quality not positive)
-/// or has less than a hundredth of its volume (element_volume).
+/// or has less than a hundredth of its volume (element_volume), and for a body that is worn through
+/// (thickness_left).
 void require_sound_mesh(const Observation& observed);
 
 struct MeshWarning {

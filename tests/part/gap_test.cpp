@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "part/part_scene.hpp"
+#include "run/guards.hpp"
 
 namespace gnomon {
 namespace gap_test {
@@ -60,8 +61,8 @@ const std::vector<Case> cases = {
 };
 
 std::unique_ptr<Model> gap_model(const Case& of) {
-  return model_of(of.scene, with(with({"shape.motion=gap", "solver.reduce=false"}, of.linear()),
-                                 of.more));
+  return model_of(of.scene,
+                  with(with({"shape.motion=gap", "solver.reduce=false"}, of.linear()), of.more));
 }
 std::unique_ptr<Model> condensed_model(const Case& of) {
   return model_of(of.scene,
@@ -127,6 +128,21 @@ TEST(GapMotion, AgreesWithAMovingMesh) {
     return observed(model, run_model(model, "esdirk-4", 0, 1e-6, of.end).last(), "wear_depth");
   };
   EXPECT_NEAR(depth(*fixed) / depth(*moving), 1, 1e-4);
+}
+
+// A moving mesh would end with elements that are worn away.
+TEST(GapMotion, EndsWhereABodyIsWornThrough) {
+  const Case& of = cases.front();
+  const auto model = gap_model(of);
+  const ModelRun run = run_of(*model, of);
+  const double depth = observed(*model, run.last(), "wear_depth"),
+               left = observed(*model, run.last(), "thickness_left");
+  EXPECT_NEAR(depth / (1 - left), 4, 1e-6);  // the height of the block
+  EXPECT_NO_THROW(require_sound_mesh(model->observe(run.last())));
+  EXPECT_THROW(require_sound_mesh({{"thickness_left", "", -1e-3}}), SolutionError);
+  EXPECT_THAT(mesh_warnings({{"thickness_left", "", 0.05}}, 1),
+              ::testing::ElementsAre(::testing::Field(
+                  &MeshWarning::text, ::testing::HasSubstr("worn down to 0.05 of its thickness"))));
 }
 
 // Nodes of a side that the wear has passed lie in the counter-body, and are no boundary any more.

@@ -118,6 +118,7 @@ private:
   WornBodyEquations<dim> equations_;
   std::optional<OtherBoundary<dim>> others_;  ///< where boundary may join the contact
   std::shared_ptr<const Resultants<dim>> resultants_;
+  std::vector<double> thickness_;  // by contact node, where wear is a gap
 };
 
 /// Half the distance between the edges of the contact zone [length], across the approach, in the
