@@ -184,16 +184,32 @@ void drop_across_edges(const std::vector<Vector<dim>>& x,
     wears.insert(sorted(facet));
     for (const int node : facet) normals[node].push_back(facet_normal<dim>(facet, x));
   }
-  std::erase_if(boundary, [&](const auto& facet) {
-    if (wears.contains(sorted(facet))) return false;
-    const Vector<dim> n = facet_normal<dim>(facet, x);
-    return std::ranges::any_of(facet, [&](int node) {
-      const auto at = normals.find(node);
-      return at != normals.end() && std::ranges::any_of(at->second, [&](const Vector<dim>& other) {
-               return meet_at_edge<dim>(n, other);
-             });
-    });
-  });
+  std::map<int, std::vector<std::size_t>> at;  // by node: what does not wear
+  std::vector<char> dropped(boundary.size(), 0);
+  std::vector<std::size_t> fresh;
+  for (std::size_t f = 0; f < boundary.size(); ++f) {
+    if (wears.contains(sorted(boundary[f]))) continue;
+    const Vector<dim> n = facet_normal<dim>(boundary[f], x);
+    for (const int node : boundary[f]) {
+      at[node].push_back(f);
+      for (const Vector<dim>& other : normals[node])
+        if (meet_at_edge<dim>(n, other)) dropped[f] = 1;
+    }
+    if (dropped[f]) fresh.push_back(f);
+  }
+  while (!fresh.empty()) {  // the rest of the sides that begin there
+    const std::size_t f = fresh.back();
+    fresh.pop_back();
+    const Vector<dim> n = facet_normal<dim>(boundary[f], x);
+    for (const int node : boundary[f])
+      for (const std::size_t other : at[node]) {
+        if (dropped[other] || meet_at_edge<dim>(n, facet_normal<dim>(boundary[other], x))) continue;
+        dropped[other] = 1;
+        fresh.push_back(other);
+      }
+  }
+  std::size_t f = 0;
+  std::erase_if(boundary, [&](const auto&) { return dropped[f++]; });
 }
 
 template <int dim>

@@ -38,8 +38,8 @@ bool meet_at_edge(const Vector<dim>& one, const Vector<dim>& other) {
   return one.dot(other) < edge;
 }
 
-/// Drops the facets of a boundary that do not wear and join those that do across an edge: nodes of
-/// a wearing surface have normals of its own. What is farther stays.
+/// Drops the sides of a boundary that do not wear and join what does across an edge: nodes of a
+/// wearing surface have normals of its own. What is beyond a further edge stays.
 template <int dim>
 void drop_across_edges(const std::vector<Vector<dim>>& x,
                        const std::vector<typename Mesh<dim>::Facet>& wearing,
