@@ -38,7 +38,7 @@ std::string point_text(const std::array<double, 3>& x) {
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
                    wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, blind = 1e-3,
-                   turned = 0.02, rounding = 1e-6;
+                   turned = 0.02, displaced = 0.02, rounding = 1e-6;
   std::vector<std::string> found;
   const bool loaded = largest_force(facts) > rounding * facts.force;
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
@@ -58,6 +58,12 @@ std::vector<std::string> doubts(const Examination& facts) {
         fmt::format("{:.0f} % of the loads act on nodes that supports hold in the same direction: "
                     "they do not press the bodies on each other",
                     100 * facts.idle_load));
+  if (facts.moved_axis && std::abs(facts.moved_axis->part) > displaced)
+    found.push_back(fmt::format(
+        "\"{}\" turns about its fixed motion.center, from which it has moved by {:.3g} mm: it "
+        "slides by {:.2g} % too {}",
+        facts.moved_axis->body, facts.moved_axis->way, 100 * std::abs(facts.moved_axis->part),
+        facts.moved_axis->part > 0 ? "fast" : "slowly"));
   if (facts.lost_wear > lost)
     found.push_back(
         fmt::format("{:.2g} of the wear of a body is at contact nodes whose shape is held, and is "

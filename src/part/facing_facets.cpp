@@ -237,6 +237,7 @@ void reverse(MortarPair<dim>& pair) {
   std::swap(pair.bodies[0], pair.bodies[1]);
   std::swap(pair.numbers[0], pair.numbers[1]);
   std::swap(pair.velocities[0], pair.velocities[1]);
+  std::swap(pair.spins[0], pair.spins[1]);
   pair.approach *= -1;
   pair.motion = relative_motion(pair.motion, {});
 }

@@ -275,6 +275,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
         .slave = boundary_of(scene, table, part, body_of, wearing, bodies[0]),
         .master = boundary_of(scene, table, part, body_of, wearing, bodies[1]),
         .motion = relative_motion(motion_of(motions, names[0]), motion_of(motions, names[1])),
+        .spins = {motion_of(motions, names[0]).spin, motion_of(motions, names[1]).spin},
         .friction = scene.given(table + ".friction") ? scene.real(table + ".friction")
                                                      : scene.real("friction.coefficient"),
         .bodies = names,

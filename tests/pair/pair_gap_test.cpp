@@ -40,8 +40,7 @@ Ended run_of(const AssemblyParts<2>& parts) {
   const State end = run_model(model, "esdirk-4", 10, 0, 100).last();
   const ContactSurface surface = model.contact(end).value();
   const Model& abilities = model;
-  Ended result{
-      *value_of(model.observe(end), "max_pressure"), {}, abilities.examine(end).gap_error};
+  Ended result{*value_of(model.observe(end), "max_pressure"), {}, abilities.examine(end).gap_error};
   for (std::size_t c = 0; c < surface.node.size(); ++c) {
     double& depth = result.depth[model.assembly().carries[c] ? 0 : 1];
     depth = std::max(depth, surface.wear_depth[c]);
@@ -73,6 +72,27 @@ TEST(PairGap, IsAMovingMeshWhereTheWornSlopeIsSmall) {
   // Of the pressures of the whole contact, so that it is below the change of the largest.
   EXPECT_GT(gap.error->pressure, 0);
   EXPECT_LT(gap.error->pressure, 0.02);
+}
+
+// It turns about a point 20 mm above the contact, and comes down by what wears.
+TEST(PairMotion, ABodyThatLeavesItsAxisIsToldOf) {
+  TwoBodies pair = closed_waves(2e-5, 0);
+  AssemblyParts<2> parts = two_bodies<2>(pair);
+  MortarPair<2>& contact = parts.pairs.front();
+  Tensor<2> spin;
+  spin << 0, -1, 1, 0;
+  contact.motion = {};
+  contact.motion.spin = -spin;
+  contact.motion.velocity = spin * Vector<2>(1, 20);
+  contact.spins[0] = spin;
+  const WearModel<2> model(parts);
+  const Model& abilities = model;
+  const State end = run_model(model, "esdirk-3", 0, 1e-4, 100).last();
+  const auto moved = abilities.examine(end).moved_axis;
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->body, "upper");
+  EXPECT_GT(moved->way, 0.5);
+  EXPECT_NEAR(moved->part, moved->way / 20, 1e-3);
 }
 
 // A body that turns over the cycle is met from many sides: its nodes wear along their normals.

@@ -40,6 +40,14 @@ struct ElasticDrag {
   double drag = 0;    ///< the largest tangential displacement over the cycle [length]
 };
 
+/// Of a body that turns about a fixed point and moves away from there: by which part the contact
+/// slides too fast.
+struct MovedAxis {
+  std::string body;  ///< its name
+  double way = 0;    ///< of the contact with it [length]
+  double part = 0;   ///< negative: too slowly
+};
+
 /// What wear as a gap leaves out: the change of pressures, at the same depth of wear, if the mesh
 /// had followed it. Root mean square over the nodes that are closed with their neighbours, as a
 /// part of their pressures.
@@ -73,6 +81,7 @@ struct Examination {
   /// The part of the wear at nodes whose shape is held, so that it is lost; of the body that loses
   /// most.
   double lost_wear = 0;
+  std::optional<MovedAxis> moved_axis{};  ///< of pairs, the one with the largest part
   std::optional<GapError> gap_error{};  ///< where wear is a gap
   /// Where friction may stick: CycleOfSlip::stick_area.
   double stick_area = 0;

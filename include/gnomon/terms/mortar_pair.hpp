@@ -21,6 +21,8 @@ struct MortarPair {
   /// Of the master's material relative to the slave's, v^2 - F V of eq. (6), where the bodies are
   /// at rest; those that have a place in a phase of a cycle have their motion there.
   RigidMotion<dim> motion{};
+  /// Of the slave's and of the master's material about fixed points, in the steady motion.
+  std::array<Tensor<dim>, 2> spins = {Tensor<dim>::Zero(), Tensor<dim>::Zero()};
   double friction = 0;
   double reach = 0;                     ///< facets that are farther apart do not meet [length]
   std::array<std::string, 2> bodies{};  ///< names of the slave and of the master

@@ -1,0 +1,19 @@
+// Bodies of pairs that turn about fixed points while loads and wear move them.
+#pragma once
+
+#include <gnomon/model/examination.hpp>
+#include <gnomon/model/worn_body_equations.hpp>
+#include <optional>
+#include <vector>
+
+namespace gnomon {
+
+/// Material slides by spin x (x - centre), also where its body has moved from there. The motion of
+/// a body is the mean displacement of its contact, by the contact forces; the error is that of the
+/// mean speed. Absent where nothing turns or slides.
+template <int dim>
+std::optional<MovedAxis> find_moved_axis(const WornBodyEquations<dim>& equations,
+                                         const FieldValues<dim>& values,
+                                         const std::vector<PhaseContact<dim>>& contacts);
+
+}  // namespace gnomon
