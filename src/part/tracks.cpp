@@ -239,7 +239,8 @@ std::vector<std::string> remarks_on_passing_material(const Scene& scene,
         surface.name,
         streamlines_of(moves)
             ? fmt::format(": wear.surfaces.{}.path gives the length of its track", surface.name)
-            : ", by a depth that is too large by the circumference over the width of the contact"));
+            : ": where it touches for a part of a turn only, its depth is too large by a turn over "
+              "that part"));
   }
   return remarks;
 }
