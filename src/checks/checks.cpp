@@ -38,21 +38,22 @@ std::string point_text(const std::array<double, 3>& x) {
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
                    wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, blind = 1e-3,
-                   turned = 0.02, displaced = 0.02, rounding = 1e-6;
+                   turned = 0.02, displaced = 0.02, small = 0.01;
   std::vector<std::string> found;
-  const bool loaded = largest_force(facts) > rounding * facts.force;
+  // Over a cycle all of them may cancel out.
+  const double largest = std::max(largest_force(facts), small * facts.force);
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::force));
-      loaded && left > unbalanced * largest_force(facts))
+      left > unbalanced * largest)
     found.push_back(
         fmt::format("loads, supports, springs and contact are out of balance by {:.3g}, {:.2g} of "
                     "the largest of them",
-                    left, left / largest_force(facts)));
+                    left, left / largest));
   if (const double left = norm(sum_of(facts.forces, &ResultantForce::torque));
-      loaded && left > unbalanced * largest_force(facts) * facts.size)
+      left > unbalanced * largest * facts.size)
     found.push_back(fmt::format(
         "torques of loads, supports, springs and contact are out of balance by {:.3g}, {:.2g} of "
         "the largest force times the size of the bodies",
-        left, left / largest_force(facts) / facts.size));
+        left, left / largest / facts.size));
   if (facts.idle_load > idle)
     found.push_back(
         fmt::format("{:.0f} % of the loads act on nodes that supports hold in the same direction: "
