@@ -24,7 +24,7 @@ struct PathMarch<dim>::Alone {
   double t;
 
   Alone(const PathMarch& march, const Phase<dim>& phase)
-      : equations(march.whole_.shared_assembly(), {phase}),
+      : equations(march.near_, {phase}),
         system(equations.composition(), equations.deformation()),
         values(*equations.composition()->fields),
         t(march.t_) {
@@ -121,6 +121,31 @@ void PathMarch<dim>::keep(const Alone& alone, std::size_t phase) {
   copy_phase(alone.values, alone.fields(), values_, whole_.fields(phase));
   place_ = alone.places(alone.values);
   last_ = phase;
+  come_near(whole_.phases()[phase], values_.vector(whole_.fields(phase).u), early_);
+}
+
+/// Bodies that loads move slide away from the facets that they may meet. Where they have left this
+/// part of the margin, facets are found anew where the bodies are now, in all phases by as much.
+template <int dim>
+bool PathMarch<dim>::come_near(const Phase<dim>& at, const NodalField<dim>& u, double part) {
+  const std::vector<MortarPair<dim>>& pairs = near_->pairs;
+  if (pairs.empty()) return false;
+  const NodalField<dim>& d = values_.vector(whole_.fields().d);
+  const std::vector<Vector<dim>>& before = near_->near[nearest_instant(*near_, at.position)];
+  std::vector<Vector<dim>> x = near_->mesh.nodes;
+  for (std::size_t node = 0; node < x.size(); ++node)
+    x[node] += (d.row(Eigen::Index(node)) + u.row(Eigen::Index(node))).transpose();
+  const auto was = in_space(pairs, at.places, before), is = in_space(pairs, at.places, x);
+  if (std::ranges::all_of(pairs, [&](const MortarPair<dim>& pair) {
+        return is_within_margin(pair, was, is, part);
+      }))
+    return false;
+  AssemblyParts<dim> parts = *near_;
+  for (std::size_t node = 0; node < x.size(); ++node) x[node] -= before[node];
+  for (std::vector<Vector<dim>>& near : parts.near)
+    for (std::size_t node = 0; node < x.size(); ++node) near[node] += x[node];
+  near_ = std::make_shared<const Assembly<dim>>(std::move(parts));
+  return true;
 }
 
 /// To the last of the phases on the way, of which values_ may have a guess.
@@ -131,7 +156,7 @@ void PathMarch<dim>::advance(std::size_t to, const OnTheWay& on_the_way, bool is
   std::string reason;
   if (is_expected) {
     start_from(to, alone);
-    if (solve(alone, reason)) return keep(alone, to);
+    if (solve(alone, reason)) return keep_near(std::move(alone), to);
   }
   const auto from = [&](Carried carried) {
     guess(alone, phase, carried);
@@ -144,7 +169,23 @@ void PathMarch<dim>::advance(std::size_t to, const OnTheWay& on_the_way, bool is
         fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}; a "
                     "tangential force that friction does not balance has none: {}",
                     phase.position, reason));
-  keep(alone, to);
+  keep_near(std::move(alone), to);
+}
+
+/// Solved again where it has left the facets that could meet: they have missed a part of each
+/// other.
+template <int dim>
+void PathMarch<dim>::keep_near(Alone alone, std::size_t to) {
+  const Phase<dim>& phase = alone.equations.phases().front();
+  if (!come_near(phase, alone.values.vector(alone.fields().u), 1)) return keep(alone, to);
+  Alone again(*this, phase);
+  again.values = alone.values;
+  again.remember(place_);
+  if (std::string reason; !solve(again, reason))
+    throw SolutionError(
+        fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}: {}",
+                    phase.position, reason));
+  keep(again, to);
 }
 
 template <int dim>

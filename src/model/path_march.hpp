@@ -6,6 +6,7 @@
 #include <gnomon/base/counters.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/newton/newton_options.hpp>
+#include <memory>
 #include <string>
 
 namespace gnomon {
@@ -19,6 +20,7 @@ public:
   PathMarch(const WornBodyEquations<dim>& equations, const FieldValues<dim>& shape, double t,
             Counters& counters, NewtonOptions newton = {.max_iterations = 40})
       : whole_(equations),
+        near_(equations.shared_assembly()),
         t_(t),
         counters_(counters),
         newton_(newton),
@@ -33,6 +35,7 @@ public:
     values_ = values;
     place_ = std::move(place);
     is_expected_ = true;
+    come_near(whole_.phases()[last_], values_.vector(whole_.fields(last_).u), early_);
   }
   /// The values of all fields over the next cycle, with the memory at its begin.
   const FieldValues<dim>& cycle();
@@ -40,6 +43,8 @@ public:
 private:
   struct Alone;
   void keep(const Alone& alone, std::size_t phase);
+  void keep_near(Alone alone, std::size_t to);
+  bool come_near(const Phase<dim>& at, const NodalField<dim>& u, double part);
   /// Phases from the last one, at part 0, to the next one, at part 1.
   using OnTheWay = std::function<Phase<dim>(double part)>;
   void advance(std::size_t to, const OnTheWay& on_the_way, bool is_expected = false);
@@ -54,7 +59,9 @@ private:
   bool solve(Alone& alone, std::string& reason);
   bool by_halves(Alone& target, const OnTheWay& on_the_way, std::string& reason);
 
+  static constexpr double early_ = 0.5;  // of the margin in which bodies of pairs may slide
   const WornBodyEquations<dim>& whole_;
+  std::shared_ptr<const Assembly<dim>> near_;  // where the bodies of pairs are, by what they carry
   double t_;
   Counters& counters_;
   NewtonOptions newton_;

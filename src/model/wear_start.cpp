@@ -306,6 +306,16 @@ State WearModel<dim>::start(Counters& counters) const {
   State state;
   state.y.resize(system().structure().size);
   system().numbering().gather(values, state.y);
+  if (!assembly().pairs.empty()) {
+    // Loads may have moved bodies beyond the facets that they were expected to meet.
+    if (std::vector<std::vector<Vector<dim>>> x = positions(state); have_moved(x, 1)) {
+      AssemblyParts<dim> parts = assembly();
+      parts.near = std::move(x);
+      set_rates(WearModel(std::make_shared<const Assembly<dim>>(std::move(parts))).system(),
+                nullptr, state);
+      return state;
+    }
+  }
   set_rates(system(), nullptr, state);
   return state;
 }

@@ -1,5 +1,6 @@
 // Contact in the equations: the terms of pairs and of a rigid partner, sliding, on a path, rolling.
 #include <algorithm>
+#include <cmath>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/terms/contact_term.hpp>
 #include <gnomon/terms/stick_term.hpp>
@@ -7,7 +8,6 @@
 #include <map>
 
 #include "mesh/facet_table.hpp"
-#include "model/rigid_balance.hpp"
 #include "model/upstream.hpp"
 
 namespace gnomon {
@@ -108,18 +108,24 @@ Passage<dim> passage_of(const Assembly<dim>& body, const MortarPair<dim>& pair,
 
 }  // namespace
 
+/// The phase of the assembly at this position in the cycle, or the nearest one.
+template <int dim>
+std::size_t nearest_instant(const Assembly<dim>& assembly, double position) {
+  const std::vector<Phase<dim>> own = assembly.instants();
+  const auto away = [position](const Phase<dim>& phase) {
+    return std::abs(std::remainder(phase.position - position, 1.0));
+  };
+  return static_cast<std::size_t>(std::ranges::min_element(own, {}, away) - own.begin());
+}
+
 /// Of pairs: facets that may meet in a phase, which need not be one of the assembly's.
 template <int dim>
 std::vector<MortarCandidates> WornBodyEquations<dim>::candidates_in(const Phase<dim>& phase) const {
   std::vector<MortarCandidates> result;
   const std::vector<MortarPair<dim>>& pairs = assembly_->pairs;
   if (pairs.empty()) return result;
-  const std::vector<Phase<dim>> own = assembly_->instants();
-  const auto known = std::ranges::find(own, phase.position, &Phase<dim>::position);
   const auto x =
-      in_space(pairs, phase.places,
-               known != own.end() ? assembly_->near[static_cast<std::size_t>(known - own.begin())]
-                                  : RigidBalance<dim>(*assembly_, phase.places).x);
+      in_space(pairs, phase.places, assembly_->near[nearest_instant(*assembly_, phase.position)]);
   for (const MortarPair<dim>& pair : pairs) result.push_back(mortar_candidates(pair, x));
   return result;
 }
@@ -216,6 +222,8 @@ TermFactory<dim> WornBodyEquations<dim>::contact_of(std::size_t p, double speed)
   };
 }
 
+template std::size_t nearest_instant(const Assembly<2>&, double);
+template std::size_t nearest_instant(const Assembly<3>&, double);
 template TermFactory<2> WornBodyEquations<2>::contact_of(std::size_t, double) const;
 template TermFactory<3> WornBodyEquations<3>::contact_of(std::size_t, double) const;
 

@@ -68,6 +68,15 @@ std::optional<Epochs::Change> Epochs::succeed(State& state) {
   return change;
 }
 
+bool Epochs::replace_overdue(State& state) {
+  if (!model().overdue || !model().overdue(state)) return false;
+  std::optional<Succession> next = model().succeed(state);
+  if (!next || !next->same_unknowns) return false;
+  successor_ = std::move(next->model);
+  state = std::move(next->state);
+  return true;
+}
+
 void Epochs::repeat(std::span<const EpochStart> starts) {
   for (const EpochStart& start : starts) {
     State state = unpacked_state(start.numbers, model().system().structure());

@@ -36,7 +36,7 @@ public:
 
   /// The model of the present epoch.
   const Model& model() const { return successor_ ? *successor_ : first_; }
-  /// Null in the first epoch.
+  /// Null while the first is the present one.
   const std::shared_ptr<const Model>& successor() const { return successor_; }
   long number() const { return number_; }
 
@@ -48,6 +48,9 @@ public:
     bool same_unknowns;
   };
   std::optional<Change> succeed(State& state);
+  /// At the start: the model that should have been there from the beginning, with the same unknowns
+  /// and without an epoch. Whether there is one.
+  bool replace_overdue(State& state);
   /// Makes the models again that followed at these states. Throws InputError where none follows.
   void repeat(std::span<const EpochStart> starts);
 

@@ -74,6 +74,7 @@ private:
 
   void start() {
     state() = model().start(counters_);
+    if (epochs_.replace_overdue(state())) watch_model();
     Observation observed = observe({});
     if (policy_.until) excess(*policy_.until, observed);  // refuses an unknown one
     record({}, std::move(observed));

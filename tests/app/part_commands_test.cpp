@@ -227,7 +227,7 @@ TEST_F(PartCommands, AMissingMeshIsNamedWithTheLineOfItsKey) {
       gnomon({"check", "block_on_ring.toml", "--set", "load.1.on=surface", "--set",
               "support.1.times=[0.0]", "--set", "counter_body.major_radius=3.0"})
           .err;
-  for (const char* part : {"no such file", "one of force, traction", "support.1.factors", "torus"})
+  for (const char* part : {"no such file", "one of force, moment, traction", "support.1.factors", "torus"})
     EXPECT_THAT(all, HasSubstr(part));
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 4) << all;
   std::string scene = test::read_text(folder() / "block_on_ring.toml");
@@ -469,7 +469,7 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   EXPECT_THAT(refusal("shape.hold=[\"surface\"]"), HasSubstr("\"surface\" is in wear.on"));
   EXPECT_THAT(refusal("shape.slide=[\"surface\"]"), HasSubstr("\"surface\" is in wear.on"));
   EXPECT_THAT(refusal("support.2.directions=[\"x\"]"), HasSubstr("missing key `on`"));
-  EXPECT_THAT(refusal("load.1.on=surface"), HasSubstr("one of force, traction"));
+  EXPECT_THAT(refusal("load.1.on=surface"), HasSubstr("one of force, moment, traction"));
   EXPECT_THAT(refusal("load.1.force=[1.0, 2.0]"), HasSubstr("expected also `on`"));
   EXPECT_THAT(refusal("load.1.acceleration=[0.0, -9810.0]"), HasSubstr("body.density"));
   EXPECT_THAT(refusal("counter_body.shape=sphere"), HasSubstr("ball"));

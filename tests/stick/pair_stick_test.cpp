@@ -319,6 +319,30 @@ TEST_F(PairFretting, ASwingingLoadIsWhatFrictionCarries) {
   expect_refused(swinging_pad(), {"friction.stick=false"}, "expected friction.stick = true");
 }
 
+// Springs carry what friction does not: the pad slides by (Q - f P) / k to both sides, over more
+// facets than it may meet where it is at rest.
+TEST_F(PairFretting, ASwingingLoadSlidesThePadAgainstItsSprings) {
+  std::string wide = pad_on_base;
+  wide.replace(0, wide.find("Line(1)"),
+               "Point(1) = {-0.6, -0.5, 0}; Point(2) = {1.8, -0.5, 0};\n"
+               "Point(3) = {1.8, 0, 0}; Point(4) = {-0.6, 0, 0};\n");
+  wide.replace(wide.find("{1, 3} = 19"), 11, "{1, 3} = 37");
+  folder_.write("pad.geo", wide);
+  const double k = 9, Q = 4.8, friction = 0.3 * 10, way = (Q - friction) / k;
+  const auto model = this->model(
+      pad("", fmt::format(", {{ on = \"top\", force = [{}, 0.0], cycle = \"sin(2*pi*tau)\" }}", Q),
+          fmt::format(", stiffness = {}", k)),
+      {"cycle.phases=32", "shape.motion=gap"});
+  Counters counters;
+  const State start = model->start(counters);
+  ASSERT_TRUE(model->overdue(start));
+  const std::optional<Succession> next = model->succeed(start);
+  ASSERT_TRUE(next);
+  const auto now = [&](const char* name) { return observed(*next->model, next->state, name); };
+  EXPECT_NEAR(now("friction_work") / (friction * 4 * way), 1, 1e-3);
+  EXPECT_NEAR(now("wear_flux_pad") / (1e-8 * 10 * 4 * way), 1, 1e-3);
+}
+
 // The pressures of a phase turn about the centre of the pad as its moment does.
 TEST_F(PairFretting, ASwingingMomentMovesThePressures) {
   const auto model = this->model(

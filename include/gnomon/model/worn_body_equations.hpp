@@ -56,6 +56,10 @@ struct KindOfTerm {
 /// all.
 enum class Elasticity { as_assembled, whole };
 
+/// Of an assembly of pairs: the phase at this position in the cycle, or the nearest one.
+template <int dim>
+std::size_t nearest_instant(const Assembly<dim>& assembly, double position);
+
 /// Rows, in the order of their unknowns:
 ///   u                equilibrium, eq. 23-25: internal + contact force - load            [force]
 ///                    of a condensed assembly S u + contact force - g (condensation.hpp)
