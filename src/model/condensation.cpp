@@ -184,10 +184,10 @@ void Condensation<dim>::add_loads(const AssemblyParts<dim>& parts) {
     loads_.push_back({load.forces, load.history, load.presses,
                       [](const Phase<dim>& phase) { return phase.load; }});
   for (const auto& [load, factor] : parts.swinging_loads)
-    loads_.push_back({load.forces, load.history, load.presses,
-                      [swing = factor](const Phase<dim>& phase) {
-                        return phase.swing * swing.value(phase.position);
-                      }});
+    loads_.push_back(
+        {load.forces, load.history, load.presses, [swing = factor](const Phase<dim>& phase) {
+           return phase.swing * swing.value(phase.position);
+         }});
   for (const SpringSupport<dim>& springs : parts.supports.springs)
     loads_.push_back({pull_of(springs, parts), springs.history});
   condensed_ = loads_;

@@ -192,8 +192,9 @@ double load_on_levers(const AssemblyParts<dim>& parts) {
       });
   double whole = 0;
   for (const Load<dim>& load : parts.loads)
-    whole += load.forces.size() > 0 ? load.forces.rowwise().norm().sum()  // a moment has no resultant
-                                    : resultant(load, parts).norm();
+    whole += load.forces.size() > 0
+                 ? load.forces.rowwise().norm().sum()  // a moment has no resultant
+                 : resultant(load, parts).norm();
   return turns ? whole : 0;
 }
 

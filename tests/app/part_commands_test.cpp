@@ -227,7 +227,8 @@ TEST_F(PartCommands, AMissingMeshIsNamedWithTheLineOfItsKey) {
       gnomon({"check", "block_on_ring.toml", "--set", "load.1.on=surface", "--set",
               "support.1.times=[0.0]", "--set", "counter_body.major_radius=3.0"})
           .err;
-  for (const char* part : {"no such file", "one of force, moment, traction", "support.1.factors", "torus"})
+  for (const char* part :
+       {"no such file", "one of force, moment, traction", "support.1.factors", "torus"})
     EXPECT_THAT(all, HasSubstr(part));
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 4) << all;
   std::string scene = test::read_text(folder() / "block_on_ring.toml");

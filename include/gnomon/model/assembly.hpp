@@ -197,7 +197,7 @@ struct AssemblyParts {
   bool condensed = false;  ///< the elasticity is condensed to the contact nodes (condensation.hpp)
   /// Of a `condensed` assembly, which makes it where there is none yet of its contact nodes.
   std::shared_ptr<const Condensation<dim>> condensation{};
-  double memory = 0;       ///< ModelFacts::memory
+  double memory = 0;                     ///< ModelFacts::memory
   std::vector<std::string> remarks{};    ///< ModelFacts::remarks
   std::vector<std::string> proposals{};  ///< ModelFacts::proposals
   std::vector<MeshPart> named_parts{};   ///< of a mesh from a file, for its result to keep

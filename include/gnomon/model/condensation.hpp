@@ -44,8 +44,8 @@ std::string varying_stiffness(const AssemblyParts<dim>& parts);
 template <int dim>
 class Condensation {
 public:
-  /// `nodes`: of contact, ascending. Throws InputError for a varying_stiffness(), and Error where the other
-  /// nodes have no unique displacement.
+  /// `nodes`: of contact, ascending. Throws InputError for a varying_stiffness(), and Error where
+  /// the other nodes have no unique displacement.
   Condensation(const AssemblyParts<dim>& parts, const std::vector<int>& nodes);
 
   /// Whether it is that of these nodes.

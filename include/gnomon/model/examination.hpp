@@ -82,7 +82,7 @@ struct Examination {
   /// most.
   double lost_wear = 0;
   std::optional<MovedAxis> moved_axis{};  ///< of pairs, the one with the largest part
-  std::optional<GapError> gap_error{};  ///< where wear is a gap
+  std::optional<GapError> gap_error{};    ///< where wear is a gap
   /// Where friction may stick: CycleOfSlip::stick_area.
   double stick_area = 0;
   /// There, the largest angle of a counter-body that a moment turns [rad].
