@@ -6,7 +6,9 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
+#include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
 #include "model/rigid_parts.hpp"
 
@@ -31,6 +33,7 @@ public:
     }
   }
 
+  double largest() const { return gap_.empty() ? 0 : gap_.back(); }
   /// Of the surface that overlaps when the bodies approach by `depth`.
   double area(double depth) const {
     double sum = 0;
@@ -275,6 +278,36 @@ double depth_of_tracks(double rate, const Pressing& press, const Indentation& st
   return std::min({section / width, gaps.depth_of(section * width), most});
 }
 
+/// The smallest of the bodies that wear, along the approach [length].
+template <int dim>
+double size_of_wearing(const AssemblyParts<dim>& parts) {
+  std::set<int> worn;
+  for (const Surface<dim>& surface : parts.interface.surfaces)
+    if (surface.wears) worn.merge(nodes_of_facets(surface.facets));
+  const auto size = [&](const std::set<int>& nodes) {
+    std::vector<Vector<dim>> x;
+    for (const int node : nodes) x.push_back(parts.mesh.nodes[static_cast<std::size_t>(node)]);
+    const auto [low, high] = Box<dim>::around(x);
+    return (high - low).dot(parts.interface.partner.approach.cwiseAbs());
+  };
+  double least = std::numeric_limits<double>::infinity();
+  const std::vector<int> body_of = body_of_cells(parts.bodies, parts.mesh.cells.size());
+  for (int body = 0; body < static_cast<int>(parts.bodies.size()); ++body) {
+    std::set<int> nodes;
+    bool wears = false;
+    for (std::size_t cell = 0; cell < body_of.size(); ++cell) {
+      if (body_of[cell] != body) continue;
+      const auto& corners = parts.mesh.cells[cell];
+      nodes.insert(corners.begin(), corners.end());
+      wears = wears || std::ranges::count_if(corners, [&](int node) {
+                         return worn.contains(node);
+                       }) >= Mesh<dim>::facet_nodes;
+    }
+    if (wears) least = std::min(least, size(nodes));
+  }
+  return least;
+}
+
 }  // namespace
 
 template <int dim>
@@ -320,9 +353,9 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   scales.stress = start.force / worn_area;
   scales.wear_depth = result.deepest > 0 ? worn / worn_area + track : scales.displacement;
   const double half_width = solid ? std::sqrt(worn_area / M_PI) : worn_area / 2;
-  result.slope = 2 * result.deepest / half_width;
-  const auto [low, high] = Box<dim>::around(parts.mesh.nodes);
-  result.thinning = result.deepest / (high - low).dot(parts.interface.partner.approach.cwiseAbs());
+  // What lies flat on each other recedes as a whole.
+  result.slope = 2 * std::min(result.deepest, gaps.largest()) / half_width;
+  result.thinning = result.deepest / size_of_wearing(parts);
   double area = 0, count = 0;
   for (const auto& patch : patches) area += patch.initial_area, ++count;
   result.facet = width_of(area / count, solid);

@@ -1,6 +1,7 @@
 // Wear as a gap of two bodies: what it keeps of the moving mesh, and what it adds.
 
 #include <gnomon/model/gap_motion.hpp>
+#include <gnomon/model/magnitudes.hpp>
 
 #include "support/derivatives.hpp"
 #include "support/problem_run.hpp"
@@ -60,6 +61,17 @@ TEST(PairGap, OnlyTheSumOfTheCoefficientsMatters) {
   EXPECT_NEAR((both.depth[0] + both.depth[1]) / upper.depth[0], 1, 1e-3);
   EXPECT_NEAR(lower.depth[1] / upper.depth[0], 1, 1e-3);
   EXPECT_NEAR(both.depth[0] / both.depth[1], 3, 3e-3);
+}
+
+// What lies flat on each other recedes as a whole, and the thinner body is worn through first.
+TEST(PairGap, IsJudgedByTheThinnerBody) {
+  TwoBodies pair{.upper = {.size = 0.5, .wear = 1e-6}, .lower = {.size = 4, .wear = 1e-6}};
+  const Magnitudes flat = magnitudes_of(two_bodies<2>(pair), 100);
+  EXPECT_GT(flat.deepest, 0);
+  EXPECT_NEAR(flat.thinning, flat.deepest / 0.5, 1e-12);
+  EXPECT_EQ(flat.slope, 0);
+  pair.upper.surface = [](double x) { return 0.01 * x * x; };
+  EXPECT_GT(magnitudes_of(two_bodies<2>(pair), 100).slope, 0);
 }
 
 TEST(PairGap, IsAMovingMeshWhereTheWornSlopeIsSmall) {

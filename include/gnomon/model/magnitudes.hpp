@@ -25,7 +25,7 @@ struct Magnitudes {
   double contact_nodes = 0;  ///< expected in contact at the start
   double strain = 0;         ///< mean pressure at the start, by the modulus of the contact
   double slope = 0;          ///< of the worn surface at the end, about, if it is a parabola
-  double thinning = 0;       ///< `deepest` by the size of the bodies along the approach
+  double thinning = 0;       ///< `deepest` by the size of the smallest body that wears
 };
 
 /// Of parts whose shape may not be known yet. Throws RecoverableError like wear_by_pressure().
