@@ -88,10 +88,12 @@ double indentation(const Assembly<dim>& body, double fraction) {
 /// Moves bodies of pairs that no support holds to where they rest, tells `touching` of it, and
 /// moves them so far that a node of the slave is in contact: the mean gap over its share of the
 /// surface is larger than that where bodies touch, and closes slowly where the surface is steep.
+/// Returns the direction in which they have come, beyond the touch by the indentation.
 template <int dim>
-void close_gap_of_pairs(const WornBodyEquations<dim>& equations, const ComposedSystem<dim>& contact,
-                        std::size_t phase, FieldValues<dim>& values,
-                        const std::function<void()>& touching) {
+NodalField<dim> close_gap_of_pairs(const WornBodyEquations<dim>& equations,
+                                   const ComposedSystem<dim>& contact, std::size_t phase,
+                                   FieldValues<dim>& values,
+                                   const std::function<void()>& touching) {
   constexpr double flattest = 1e-3;  // change of gap by motion
   const Assembly<dim>& body = equations.assembly();
   const RigidBalance<dim> balance(body, equations.phases()[phase].places);
@@ -115,6 +117,7 @@ void close_gap_of_pairs(const WornBodyEquations<dim>& equations, const ComposedS
     if (std::isfinite(least)) farther = std::max(farther, least);
   }
   u += farther * balance.direction;
+  return balance.direction;
 }
 
 /// Moves body and counter-body together, or apart, until they touch at a point, so that the first
@@ -160,6 +163,21 @@ RampOptions ramp_options(const Assembly<dim>& body) {
   return options;
 }
 
+namespace {
+
+/// Whether a body is far from where the mesh is, as no load moves it that has a partner.
+template <int dim>
+bool flies_away(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values) {
+  constexpr double far = 10;
+  const Box<dim> box = Box<dim>::around(equations.assembly().mesh.nodes);
+  const double size = (box.high - box.low).norm();
+  for (std::size_t p = 0; p < equations.phases().size(); ++p)
+    if (values.vector(equations.fields(p).u).cwiseAbs().maxCoeff() > far * size) return true;
+  return false;
+}
+
+}  // namespace
+
 template <int dim>
 RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSystem<dim>& contact,
                             const RampOptions& options, FieldValues<dim>& values,
@@ -185,7 +203,15 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   };
   for (std::size_t p = 0; p < equations.phases().size(); ++p) {
     if (pairs) {
-      close_gap_of_pairs(equations, contact, p, values, touching);
+      const NodalField<dim> along = close_gap_of_pairs(equations, contact, p, values, touching);
+      const FieldId field = equations.fields(p).u;
+      for (Eigen::Index node = 0; node < along.rows(); ++node)
+        for (int i = 0; i < dim; ++i)
+          if (const int q = contact.numbering().number(field, node, i); q >= 0)
+            approaches.push_back({q,
+                                  values.vector(field)(node, i) -
+                                      along(node, i) * indentation(equations.assembly(), 1),
+                                  along(node, i)});
       continue;
     }
     const std::vector<Guide<dim>> guides = close_initial_gap(equations, p, values).guides;
@@ -217,6 +243,10 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
       solver.emplace(contact.structure(), counters, newton);
     }
     NewtonReport report = solver->solve(function, y);
+    if (pairs && report.converged && flies_away(equations, contact.values(0, y))) {
+      report.converged = false;  // a rough residual of rounding errors
+      report.reason = "an iterate has opened the contact that holds a body";
+    }
     loaded = loaded || report.converged;
     if (report.converged && passed) passed(y);
     return report;

@@ -4,6 +4,7 @@
 #include <gnomon/base/error.hpp>
 #include <iterator>
 
+#include "part/part_scene.hpp"
 #include "support/problem_run.hpp"
 
 namespace gnomon::pair_scene_test {
@@ -49,6 +50,46 @@ TEST(PairScene, TheOrderOfTheBodiesDoesNotMatter) {
               1e-9);
   EXPECT_THAT(one->remarks, Contains(HasSubstr("\"cylinder\" may touch \"plate\"")));
   EXPECT_THAT(other->remarks, Contains(HasSubstr("\"cylinder\" may touch \"plate\"")));
+}
+
+// A block pressed on a ramp that rubs it, which lies under the block for a part of its end nodes:
+// an overlap by the whole load would open the contact before a small part of it is carried.
+TEST(PairScene, ABlockOnARampIsPressedFromASmallLoadOn) {
+  SceneFolder folder;
+  folder.write("ramp.geo", R"(al = Pi / 6; L = 10; h = L * Tan(al);
+Point(1) = {-3, -6, 0}; Point(2) = {L+3, -6, 0}; Point(3) = {L+3, (L+3)*Tan(al), 0};
+Point(4) = {-3, -3*Tan(al), 0};
+Point(11) = {0, 0, 0}; Point(12) = {L, h, 0}; Point(13) = {L, h+5, 0}; Point(14) = {0, h+5, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 11};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Curve Loop(2) = {11, 12, 13, 14}; Plane Surface(2) = {2};
+Transfinite Curve {1, 3} = 27; Transfinite Curve {11, 13} = 17;
+Transfinite Curve {2, 4, 12, 14} = 9;
+Transfinite Surface {1, 2}; Recombine Surface {1, 2};
+Physical Surface("ramp") = {1}; Physical Surface("block") = {2};
+Physical Curve("base") = {1}; Physical Curve("slope") = {3};
+Physical Curve("sole") = {11}; Physical Curve("top") = {13};
+)");
+  const auto model = make_model(load_scene(folder.write("scene.toml", R"(problem = "worn_body"
+mesh.file = "ramp.geo"
+body = [ { name = "ramp", young_modulus = 2e5, poisson_ratio = 0.3, material = "linear" },
+         { name = "block", young_modulus = 1e4, poisson_ratio = 0.3, material = "linear" } ]
+pair = [ { bodies = ["ramp", "block"], friction = 0.2 } ]
+motion = [ { body = "ramp", velocity = [86.60254037844386, 50.0] } ]
+support = [ { on = "base" }, { on = "top", directions = ["x"] } ]
+load = [ { on = "top", force = [0.0, -300.0] } ]
+wear = { on = ["slope", "sole"], coefficient = 1e-8 }
+time.end = 100.0
+integrator = { name = "esdirk-3", rtol = 1e-3 }
+)"),
+                                           {}, key_table));
+  Counters counters;
+  const State start = model->start(counters);
+  // Friction pulls the block up the ramp.
+  const double force = observed(*model, start, "contact_force"), c = std::sqrt(0.75), s = 0.5;
+  EXPECT_NEAR(force * (c + 0.2 * s) / 300, 1, 2e-3);
+  EXPECT_NEAR(observed(*model, start, "wear_flux_block") / (1e-8 * force * 100), 1, 1e-2);
 }
 
 // A cylinder above its plate, or a little below the surface, is brought to where it touches.
