@@ -1,6 +1,7 @@
 #include "model/moved_axis.hpp"
 
 #include <cmath>
+#include <set>
 
 #include "mesh/facet_table.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gnomon/model/examination.hpp>
-#include <gnomon/model/worn_body_equations.hpp>
+#include <gnomon/model/wear_model.hpp>
 #include <optional>
 #include <vector>
 
