@@ -41,8 +41,8 @@ def draw(path, z, pressure, traction, slip):
         for sign in (1, -1):
             left.plot(z, sign * FRICTION * pressure[phase], colour, linestyle=":", linewidth=1)
         right.plot(z, 1e3 * slip[phase], colour, marker=".", label=name)
-    left.set(xlabel="z, mm", ylabel="axial traction, MPa", ylim=(-60, 60))
-    right.set(xlabel="z, mm", ylabel="slip since the phase before, um", xlim=(0, 12))
+    left.set(xlabel="z [mm]", ylabel="traction of friction [MPa]", ylim=(-60, 60))
+    right.set(xlabel="z [mm]", ylabel="slip since the phase before [um]", xlim=(0, 12))
     left.legend(frameon=False)
     for axes in (left, right):
         axes.grid(alpha=0.3)
