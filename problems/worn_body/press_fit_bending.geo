@@ -6,9 +6,10 @@ half = 10;       // of the straight part of the bore
 rounding = 50;   // radius of its ends
 end = 2;         // their length
 beside = 6;      // length of the shaft on both sides of the hub
-around = 8;      // elements over 180 degrees
-deep = 2;        // elements over the radius of the shaft, and of the hub
-fit = 14; free = 2;  // elements along the seat and along the ends of the shaft
+f = Mesh.MeshSizeFactor;  // gnomon's mesh.factor
+around = Round(8 / f);  // elements over 180 degrees
+deep = Round(2 / f);    // elements over the radius of the shaft, and of the hub
+fit = Round(14 / f); free = Round(2 / f);  // elements along the seat and along the ends of the shaft
 finer = 0.85;        // ratio of their lengths towards the end that is turned
 
 r = radius + interference;

@@ -58,7 +58,7 @@ Overrides coarse(const std::string& scene) {
   if (scene == "worn_body/dovetail.toml")
     return {"mesh.factor=2", "cycle.phases=4", "time.end=100"};
   if (scene == "worn_body/press_fit.toml") return {"mesh.factor=2", "cycle.phases=4", "time.end=2"};
-  if (scene == "worn_body/press_fit_bending.toml") return {"time.end=0.1"};
+  if (scene == "worn_body/press_fit_bending.toml") return {"mesh.factor=2", "time.end=0.1"};
   if (scene == "worn_body/half_round_ring_on_steel.toml")
     return {"mesh.factor=2", "time.end=0.3", "output.times=[]"};
   if (scene == "worn_body/sphere_on_disc.toml")
