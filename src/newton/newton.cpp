@@ -155,6 +155,7 @@ private:
       return fmt::format(
           "Newton's steps become too small at {:.2g} times the scale of the residual",
           norms_.back());
+    if (flag == KIN_MXNEWT_5X_EXCEEDED) return "Newton's steps grow without bound";
     return fmt::format("KINSOL stopped with code {}", flag);
   }
 
