@@ -185,7 +185,7 @@ void drop_across_edges(const std::vector<Vector<dim>>& x,
     for (const int node : facet) normals[node].push_back(facet_normal<dim>(facet, x));
   }
   std::map<int, std::vector<std::size_t>> at;  // by node: what does not wear
-  std::vector<char> dropped(boundary.size(), 0);
+  std::vector<char> kept(boundary.size(), 1);
   std::vector<std::size_t> fresh;
   for (std::size_t f = 0; f < boundary.size(); ++f) {
     if (wears.contains(sorted(boundary[f]))) continue;
@@ -193,9 +193,9 @@ void drop_across_edges(const std::vector<Vector<dim>>& x,
     for (const int node : boundary[f]) {
       at[node].push_back(f);
       for (const Vector<dim>& other : normals[node])
-        if (meet_at_edge<dim>(n, other)) dropped[f] = 1;
+        if (meet_at_edge<dim>(n, other)) kept[f] = 0;
     }
-    if (dropped[f]) fresh.push_back(f);
+    if (!kept[f]) fresh.push_back(f);
   }
   while (!fresh.empty()) {  // the rest of the sides that begin there
     const std::size_t f = fresh.back();
@@ -203,13 +203,12 @@ void drop_across_edges(const std::vector<Vector<dim>>& x,
     const Vector<dim> n = facet_normal<dim>(boundary[f], x);
     for (const int node : boundary[f])
       for (const std::size_t other : at[node]) {
-        if (dropped[other] || meet_at_edge<dim>(n, facet_normal<dim>(boundary[other], x))) continue;
-        dropped[other] = 1;
+        if (!kept[other] || meet_at_edge<dim>(n, facet_normal<dim>(boundary[other], x))) continue;
+        kept[other] = 0;
         fresh.push_back(other);
       }
   }
-  std::size_t f = 0;
-  std::erase_if(boundary, [&](const auto&) { return dropped[f++]; });
+  leave(kept, boundary);
 }
 
 template <int dim>
