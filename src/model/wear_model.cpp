@@ -292,9 +292,13 @@ Observation WearModel<dim>::observe(const State& state) const {
       half_width =
           std::max(half_width, contact_half_width(assembly(), fields, values, phases[p].nodes));
   }
-  double depth = 0;
-  for (std::size_t c = 0; c < assembly().contact_nodes.size(); ++c)
-    if (assembly().wears(static_cast<int>(c))) depth = std::max(depth, wear_depth(c, d));
+  double depth = 0, worn = 0;  // `worn`: of the thickness
+  for (std::size_t c = 0; c < assembly().contact_nodes.size(); ++c) {
+    if (!assembly().wears(static_cast<int>(c))) continue;
+    const double own = wear_depth(c, d);
+    depth = std::max(depth, own);
+    if (assembly().shape.gap) worn = std::max(worn, own / thickness_[c]);
+  }
   Observation observed;
   observe_contact(phases, assembly(), units, observed);
   observe_cells(assembly(), d, wear_flux_of(phases, assembly().copies), units, observed);
@@ -305,12 +309,8 @@ Observation WearModel<dim>::observe(const State& state) const {
   if (dim == 2 && assembly().pairs.size() < 2)
     observed.push_back(common("contact_half_width", half_width));
   observed.push_back(common("wear_depth", largest_over_processes(depth)));
-  if (assembly().shape.gap) {
-    double worn = 0;  // of the thickness
-    for (std::size_t c = 0; c < thickness_.size(); ++c)
-      worn = std::max(worn, wear_depth(c, d) / thickness_[c]);
+  if (assembly().shape.gap)
     observed.push_back(common("thickness_left", 1 - largest_over_processes(worn)));
-  }
   observed.push_back(common("contact_area", area.area, units));
   observed.push_back(common("contact_area_error", area.unknown, units));
   observed.insert(observed.end(), motion.begin(), motion.end());
