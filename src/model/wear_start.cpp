@@ -341,8 +341,8 @@ State WearModel<dim>::start(Counters& counters) const {
     if (std::vector<std::vector<Vector<dim>>> x = positions(state); have_moved(x, 1)) {
       AssemblyParts<dim> parts = assembly();
       parts.near = std::move(x);
-      set_rates(WearModel(std::make_shared<const Assembly<dim>>(std::move(parts))).system(),
-                nullptr, state);
+      const WornBodyEquations<dim> moved(std::make_shared<const Assembly<dim>>(std::move(parts)));
+      set_rates(ComposedSystem<dim>(moved.composition()), nullptr, state);
       return state;
     }
   }
