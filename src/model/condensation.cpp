@@ -139,7 +139,6 @@ Condensation<dim>::Condensation(const AssemblyParts<dim>& parts, const std::vect
   K_ = stiffness_of(parts);
   number(parts);
   K_ii_ = part_of<dim>(K_, inner_, inner_);
-  K_ic_ = part_of<dim>(K_, inner_, kept_);
   K_ci_ = part_of<dim>(K_, kept_, inner_);
   solve_inner_ = is_symmetric(K_ii_) ? solver_of<Eigen::CholmodSupernodalLLT<Sparse>>(K_ii_)
                                      : solver_of<Eigen::UmfPackLU<Sparse>>(K_ii_);
@@ -183,11 +182,11 @@ void Condensation<dim>::add_loads(const AssemblyParts<dim>& parts) {
   for (const Load<dim>& load : parts.loads)
     loads_.push_back({load.forces, load.history, load.presses,
                       [](const Phase<dim>& phase) { return phase.load; }});
-  for (const auto& [load, factor] : parts.swinging_loads)
-    loads_.push_back(
-        {load.forces, load.history, load.presses, [swing = factor](const Phase<dim>& phase) {
-           return phase.swing * swing.value(phase.position);
-         }});
+  for (const SwingingLoad<dim>& swinging : parts.swinging_loads) {
+    const Load<dim>& load = swinging.load;
+    loads_.push_back({load.forces, load.history, load.presses,
+                      [swinging](const Phase<dim>& phase) { return swinging.factor_in(phase); }});
+  }
   for (const SpringSupport<dim>& springs : parts.supports.springs)
     loads_.push_back({pull_of(springs, parts), springs.history});
   condensed_ = loads_;

@@ -148,10 +148,7 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
         load, [](const Phase<dim>& phase) { return phase.load; }, terms);
   for (const SwingingLoad<dim>& swinging : assembly_->swinging_loads)
     add_load(
-        swinging.load,
-        [&swinging](const Phase<dim>& phase) {
-          return phase.swing * swinging.factor.value(phase.position);
-        },
+        swinging.load, [&swinging](const Phase<dim>& phase) { return swinging.factor_in(phase); },
         terms);
 }
 
@@ -159,9 +156,10 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
 template <int dim>
 void WornBodyEquations<dim>::add_condensed(std::size_t p, std::vector<TermFactory<dim>>& terms) {
   for (const CondensedPart& part : condensation_->parts())
-    add(terms, TermKind::body, p, [&part, f = fields_[p]](const Numbering& numbering) {
-      return std::make_unique<CondensedBody<dim>>(part.stiffness, part.kept, numbering, f.u);
-    });
+    add(terms, TermKind::body, p,
+        [of = condensation_, &part, f = fields_[p]](const Numbering& numbering) {
+          return std::make_unique<CondensedBody<dim>>(part.stiffness, part.kept, numbering, f.u);
+        });
   for (const DeadForces<dim>& load : condensation_->loads())
     add(terms, TermKind::load, p,
         [f = fields_[p], load, factor = load.factor(phases_[p])](const Numbering& n) {

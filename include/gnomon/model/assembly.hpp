@@ -88,6 +88,10 @@ template <int dim>
 struct SwingingLoad {
   Load<dim> load;
   CycleFunction factor;
+
+  double factor_in(const Phase<dim>& phase) const {
+    return phase.swing * factor.value(phase.position);
+  }
 };
 
 /// Where the material of a surface passes its partner once in a turn: each of its lines along the

@@ -70,7 +70,7 @@ private:
 
   std::vector<int> nodes_;
   Sparse K_;  // of all displacements, also the held ones
-  Sparse K_ii_, K_ic_, K_ci_;
+  Sparse K_ii_, K_ci_;
   std::vector<std::pair<int, int>> kept_, inner_;  // c and i: node, direction
   NodalFlags<dim> left_out_;
   std::vector<DeadForces<dim>> loads_, condensed_;
