@@ -96,7 +96,8 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
       const PairPlaces<dim> place(pair, places);
       const std::array<int, 2> numbers = {part[pair.slave.front()[0]],
                                           part[pair.master.front()[0]]};
-      std::array<Vector<dim>, 2> along;  // of each side, in its frame, towards the other
+      if (numbers[0] == numbers[1]) continue;  // surfaces of one body
+      std::array<Vector<dim>, 2> along;        // of each side, in its frame, towards the other
       for (const std::size_t side : {0, 1}) {
         const Vector<dim> e = place.of[side].turn.transpose() * pair.approach;
         along[side] = free_part<dim>(parts, part, numbers[side], side == 0 ? Vector<dim>(-e) : e);

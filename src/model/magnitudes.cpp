@@ -166,14 +166,23 @@ Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts) {
 }
 
 /// All loads together along the approach of the counter-body, at factor one, or, where they cancel
-/// each other then, the largest of their history.
+/// each other then, the largest of their history; of pairs that loads press from both sides, half
+/// of the sum of their sizes.
 template <int dim>
 double load_along_approach(const AssemblyParts<dim>& parts) {
+  constexpr double rounding = 1e-12;
+  std::vector<double> along;
+  for (const Load<dim>& load : parts.loads)
+    along.push_back(resultant(load, parts).dot(parts.interface.partner.approach));
   const auto sum = [&](auto factor) {
-    double along = 0;
-    for (const Load<dim>& load : parts.loads)
-      along += factor(load.history) * resultant(load, parts).dot(parts.interface.partner.approach);
-    return std::abs(along);
+    double net = 0, whole = 0;
+    for (std::size_t k = 0; k < along.size(); ++k) {
+      const double force = factor(parts.loads[k].history) * along[k];
+      net += force;
+      whole += std::abs(force);
+    }
+    if (std::abs(net) > rounding * whole) return std::abs(net);
+    return parts.pairs.empty() ? 0 : whole / 2;
   };
   double most = sum([](const LoadHistory&) { return 1.0; });
   if (most > 0) return most;

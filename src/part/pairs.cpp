@@ -29,9 +29,11 @@ namespace {
 
 std::vector<Key> keys_of_pairs() {
   return {texts_key("pair.#.bodies", absent("needed in every [[pair]]"),
-                    "two bodies, by their names, that touch each other"),
+                    "two bodies, by their names, that touch each other; one name twice: surfaces "
+                    "of one body"),
           texts_key("pair.#.surfaces", absent("all boundary that faces the other body"),
-                    "groups of the mesh to which their contact is restricted"),
+                    "groups of the mesh to which their contact is restricted; of one body, or of "
+                    "bonded ones: the two that touch"),
           real_key("pair.#.friction", "", absent("friction.coefficient"), {.min = 0, .max = 1e30},
                    "Coulomb's coefficient of friction of the pair"),
           {.name = "pair.#.stick",
@@ -66,13 +68,16 @@ std::vector<std::string> names_of_bodies(const Scene& scene) {
 void require_two_bodies(const Scene& scene, const std::string& pair) {
   const std::string key = pair + ".bodies";
   const std::vector<std::string>& names = scene.texts(key);
-  if (names.size() != 2 || names[0] == names[1])
-    throw InputError(scene.where(key) + ": expected the names of two bodies");
+  if (names.size() != 2) throw InputError(scene.where(key) + ": expected the names of two bodies");
   const std::vector<std::string> all = names_of_bodies(scene);
   for (const std::string& name : names)
     if (std::ranges::find(all, name) == all.end())
       throw InputError(fmt::format("{}: expected names of [[body]], \"{}\", got \"{}\"",
                                    scene.where(key), fmt::join(all, "\", \""), name));
+  if (names[0] == names[1] && !scene.given(pair + ".surfaces"))
+    throw InputError(scene.where(key) +
+                     ": expected the names of two bodies, or pair.surfaces, two groups of the one "
+                     "body that touch each other");
 }
 
 }  // namespace
@@ -103,6 +108,7 @@ void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
         if (!scene.has(pair + ".bodies")) return;  // a value of another sort is told already
         require_two_bodies(scene, pair);
         const std::vector<std::string>& names = scene.texts(pair + ".bodies");
+        if (names[0] == names[1]) return;  // several folds of one body
         if (!seen.insert({names[0], names[1]}).second)
           throw InputError(scene.where(pair + ".bodies") + ": expected each pair of bodies once");
       });
@@ -231,17 +237,49 @@ std::vector<std::string> remarks_on_sliding(const MortarPair<dim>& pair, double 
   return {};
 }
 
-/// Bodies that share nodes are bonded.
+/// Each of two surfaces that touch and are of one body, or of bonded ones, is a group of its own.
 template <int dim>
-void require_separate(const Scene& scene, const std::string& table, const AssemblyParts<dim>& parts,
-                      const std::array<int, 2>& bodies) {
-  const std::vector<int> part = connected_parts(parts.mesh, parts.bodies);
-  if (part[bodies[0]] == part[bodies[1]])
-    throw InputError(
-        fmt::format("{}: expected bodies that share no node, but \"{}\" and \"{}\" are "
-                    "bonded: mesh each by itself, without fragments or coherence",
-                    scene.where(table + ".bodies"), parts.bodies[bodies[0]].name,
-                    parts.bodies[bodies[1]].name));
+std::array<Facets<dim>, 2> surfaces_of_one(const Scene& scene, const std::string& pair,
+                                           const ImportedBody<dim>& part) {
+  const std::string key = pair + ".surfaces";
+  const std::vector<std::string>& names = scene.texts(key);
+  if (names.size() != 2)
+    throw InputError(scene.where(key) +
+                     ": expected two groups, one for each of the surfaces that touch, because "
+                     "they belong to one body or to bonded ones");
+  std::array<Facets<dim>, 2> result;
+  std::array<std::set<int>, 2> nodes;
+  for (const std::size_t side : {0, 1}) {
+    result[side] = group_facets(scene, key, names[side], part);
+    for (const auto& facet : result[side]) nodes[side].insert(facet.begin(), facet.end());
+  }
+  for (const int node : nodes[0])
+    if (nodes[1].contains(node))
+      throw InputError(
+          fmt::format("{}: expected surfaces that share no node, but \"{}\" and \"{}\" share the "
+                      "one at ({:.6g})",
+                      scene.where(key), names[0], names[1],
+                      fmt::join(part.mesh.nodes[static_cast<std::size_t>(node)], ", ")));
+  return result;
+}
+
+/// Both sides of a pair, before what does not face the other one is left out.
+template <int dim>
+std::array<Facets<dim>, 2> sides_of(const Scene& scene, const std::string& table,
+                                    const ImportedBody<dim>& part, const AssemblyParts<dim>& parts,
+                                    const Facets<dim>& wearing, const std::array<int, 2>& bodies) {
+  const std::vector<int> connected = connected_parts(parts.mesh, parts.bodies);
+  if (connected[bodies[0]] != connected[bodies[1]]) {
+    const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
+    return {boundary_of(scene, table, part, body_of, wearing, bodies[0]),
+            boundary_of(scene, table, part, body_of, wearing, bodies[1])};
+  }
+  if (scene.given(table + ".surfaces")) return surfaces_of_one(scene, table, part);
+  throw InputError(fmt::format(
+      "{}: expected bodies that share no node, but \"{}\" and \"{}\" are bonded: mesh "
+      "each by itself, without fragments or coherence, or name the two groups that "
+      "touch in pair.surfaces",
+      scene.where(table + ".bodies"), parts.bodies[bodies[0]].name, parts.bodies[bodies[1]].name));
 }
 
 /// How far the nearest way out is for bodies that overlap, along one of the directions; 0: in one
@@ -259,7 +297,6 @@ double overlap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x
 
 template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {
-  const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
   const Facets<dim> wearing = facets_of(wearing_surfaces(scene, part));
   require_moving_pairs(scene);
   const std::map<std::string, BodyCycle<dim>> motions =
@@ -268,12 +305,12 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   const auto instants = places_over_cycle(parts);
   for (const std::string& table : entries_of(scene, "pair", keys_of_pairs(), {"bodies"})) {
     const std::array<int, 2> bodies = bodies_of_pair(scene, table, parts.bodies);
-    require_separate(scene, table, parts, bodies);
+    const auto [slave, master] = sides_of(scene, table, part, parts, wearing, bodies);
     const std::array<std::string, 2> names = {parts.bodies[bodies[0]].name,
                                               parts.bodies[bodies[1]].name};
     MortarPair<dim> pair{
-        .slave = boundary_of(scene, table, part, body_of, wearing, bodies[0]),
-        .master = boundary_of(scene, table, part, body_of, wearing, bodies[1]),
+        .slave = slave,
+        .master = master,
         .motion = relative_motion(motion_of(motions, names[0]), motion_of(motions, names[1])),
         .spins = {motion_of(motions, names[0]).spin, motion_of(motions, names[1]).spin},
         .friction = scene.given(table + ".friction") ? scene.real(table + ".friction")
