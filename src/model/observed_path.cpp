@@ -4,6 +4,7 @@
 #include <gnomon/model/wear_model.hpp>
 
 #include "mesh/facet_table.hpp"
+#include "model/connected_parts.hpp"
 
 namespace gnomon {
 
@@ -48,7 +49,49 @@ Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase
   return carried_by(motion, assembly.interface.partner, phase, motion.point);
 }
 
+/// Mean displacement of the nodes of swinging loads on one connected part, by the forces at them.
+template <int dim>
+Vector<dim> displacement_of_loads(const Assembly<dim>& assembly, const std::vector<int>& parts,
+                                  int part, const NodalField<dim>& u) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  double whole = 0;
+  const auto take = [&](Eigen::Index node, double force) {
+    if (parts[static_cast<std::size_t>(node)] != part) return;
+    sum += force * u.row(node).transpose();
+    whole += force;
+  };
+  for (const SwingingLoad<dim>& swinging : assembly.swinging_loads) {
+    const Load<dim>& load = swinging.load;
+    for (Eigen::Index node = 0; node < load.forces.rows(); ++node)
+      take(node, load.forces.row(node).norm());
+    for (const auto& patch :
+         contact_patches<dim>(assembly.mesh, load.facets, {}, assembly.section()))
+      if (load.forces.size() == 0) take(patch.node, std::abs(load.pressure) * patch.initial_area);
+  }
+  return whole > 0 ? Vector<dim>(sum / whole) : sum;
+}
+
 }  // namespace
+
+/// Where loads alone drive the bodies, the place of the partner is that of what they move.
+template <int dim>
+void WearModel<dim>::follow_loads(const FieldValues<dim>& values,
+                                  std::vector<PlaceAndForce<dim>>& loop) const {
+  const auto stays = [&](const PlaceAndForce<dim>& at) { return at.place == loop.front().place; };
+  if (assembly().swinging_loads.empty() || !std::ranges::all_of(loop, stays)) return;
+  const std::vector<int> parts = connected_parts(assembly().mesh);
+  const int contact = assembly().contact_nodes.front().node;
+  const bool pairs = !assembly().pairs.empty();
+  const int slave = pairs ? assembly().pairs.front().slave.front()[0] : contact,
+            master = pairs ? assembly().pairs.front().master.front()[0] : contact;
+  const auto part_of = [&](int node) { return parts[static_cast<std::size_t>(node)]; };
+  for (std::size_t p = 0; p < loop.size(); ++p) {
+    const NodalField<dim> u = values.vector(equations_.fields(p).u);
+    loop[p].place -= displacement_of_loads<dim>(assembly(), parts, part_of(slave), u);
+    if (part_of(master) != part_of(slave))
+      loop[p].place += displacement_of_loads<dim>(assembly(), parts, part_of(master), u);
+  }
+}
 
 template <int dim>
 std::optional<AxisOfPath<dim>> axis_of_path(const Assembly<dim>& assembly) {
@@ -92,6 +135,7 @@ std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
     }
     point.moment = sum_over_processes(point.moment);
   }
+  follow_loads(values, result);
   return result;
 }
 
@@ -163,6 +207,10 @@ template void observe_path(const Assembly<2>&, const std::vector<PhaseContact<2>
                            const std::vector<PlaceAndForce<2>>&, int, Observation&);
 template void observe_path(const Assembly<3>&, const std::vector<PhaseContact<3>>&,
                            const std::vector<PlaceAndForce<3>>&, int, Observation&);
+template void WearModel<2>::follow_loads(const FieldValues<2>&,
+                                         std::vector<PlaceAndForce<2>>&) const;
+template void WearModel<3>::follow_loads(const FieldValues<3>&,
+                                         std::vector<PlaceAndForce<3>>&) const;
 template std::vector<PlaceAndForce<2>> WearModel<2>::loop(
     const FieldValues<2>&, double, const std::vector<PhaseContact<2>>&) const;
 template std::vector<PlaceAndForce<3>> WearModel<3>::loop(

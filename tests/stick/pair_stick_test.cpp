@@ -319,6 +319,26 @@ TEST_F(PairFretting, ASwingingLoadIsWhatFrictionCarries) {
   expect_refused(swinging_pad(), {"friction.stick=false"}, "expected friction.stick = true");
 }
 
+// The loop of force and displacement of a pad that loads alone drive encloses the work of friction.
+TEST_F(PairFretting, TheLoopOfASwingingLoadEnclosesTheWorkOfFriction) {
+  for (const std::size_t phases : {16u, 64u}) {
+    const auto model = this->model(
+        swinging_pad(), {"load.2.force=[2.7, 0.0]", fmt::format("cycle.phases={}", phases)});
+    Counters counters;
+    const State start = model->start(counters);
+    const ContactSurface surface = model->contact(start).value();
+    const auto at = [&](std::size_t phase, std::size_t value) {
+      return surface.phase_loop[4 * (phase % phases) + value];
+    };
+    double enclosed = 0;
+    for (std::size_t p = 0; p < phases; ++p)
+      enclosed += (at(p, 2) + at(p + 1, 2)) / 2 * (at(p + 1, 0) - at(p, 0));
+    EXPECT_NEAR(enclosed / observed(*model, start, "friction_work"), 1, 0.4 / double(phases));
+    const double range = std::abs(at(phases / 4 - 1, 0) - at(3 * phases / 4 - 1, 0));
+    EXPECT_NEAR(observed(*model, start, "stroke") / range, 1, 1e-9);
+  }
+}
+
 // Springs carry what friction does not: the pad slides by (Q - f P) / k to both sides, over more
 // facets than it may meet where it is at rest.
 TEST_F(PairFretting, ASwingingLoadSlidesThePadAgainstItsSprings) {

@@ -108,6 +108,7 @@ private:
   /// By phase of a path.
   std::vector<PlaceAndForce<dim>> loop(const FieldValues<dim>& values, double t,
                                        const std::vector<PhaseContact<dim>>& phases) const;
+  void follow_loads(const FieldValues<dim>& values, std::vector<PlaceAndForce<dim>>& loop) const;
   /// Of all fields at a state, also of displacements that are condensed.
   FieldValues<dim> values(const State& state) const;
   /// The contact law at every contact node, phase by phase; on the state's own smooth branch.
