@@ -31,6 +31,7 @@ public:
         time_ = key;
       if (key.controls->source == ErrorSource::phases && !scene.is_set(key.name))
         scene_ = key.controls->scaled(scene_, 1).value_or(scene_);
+      if (key.controls->chosen) scene_ = key.controls->chosen(scene_).value_or(scene_);
     }
     trade_.free_time = time_ && !scene.is_set(time_->name);
     trade_.free_mesh = mesh_ && !scene.is_set(mesh_->name);

@@ -133,6 +133,22 @@ void ask_for_factor(double factor) {
   set("Mesh.MeshSizeFactor", factor);
 }
 
+void ask_for_zone(const std::string& zone) {
+  constexpr double growth = 0.3, far = 1e22;
+  std::istringstream numbers(zone);
+  double size = 0;
+  std::array<double, 4> ball{};  // centre and radius
+  std::vector<std::array<double, 4>> balls;
+  numbers >> size;
+  while (numbers >> ball[0] >> ball[1] >> ball[2] >> ball[3]) balls.push_back(ball);
+  gmsh::model::mesh::setSizeCallback([=](int, int, double x, double y, double z) {
+    double away = far;
+    for (const auto& [cx, cy, cz, radius] : balls)
+      away = std::min(away, std::hypot(x - cx, y - cy, z - cz) - radius);
+    return size + growth * std::max(0.0, away);
+  });
+}
+
 double elements_on_curves() {
   gmsh::model::mesh::clear();
   gmsh::model::mesh::generate(1);

@@ -1,5 +1,5 @@
-// The program that uses Gmsh's library: gnomon_gmsh FILE SIZE FACTOR. It reads or meshes a file and
-// hands the mesh to gnomon (src/mesh/mesh_file.cpp), which starts it. A process of its own
+// The program that uses Gmsh's library: gnomon_gmsh FILE SIZE FACTOR [ZONE]. It reads or meshes a
+// file and hands the mesh to gnomon (src/mesh/mesh_file.cpp), which starts it. A process of its own
 // because a damaged file, a script that says Exit or a failed algorithm may end it; gnomon has its
 // signals, its terminal and its memory for itself.
 #include <gmsh.h>
@@ -161,10 +161,12 @@ std::vector<std::string> absent_members(const std::string& file) {
   return sentences;
 }
 
-ImportedMesh read(const std::string& file, double size, double factor, bool geometry) {
+ImportedMesh read(const std::string& file, double size, double factor, const std::string& zone,
+                  bool geometry) {
   if (geometry) ask_for_factor(factor);
   open(file);
   ImportedMesh mesh;
+  if (!zone.empty()) ask_for_zone(zone);
   if (geometry) mesh_geometry(size, factor, file.ends_with(".geo"), mesh.remarks);
   if (const std::string error = first_error(); !error.empty()) throw std::runtime_error(error);
   if (file.ends_with(".geo"))
@@ -207,13 +209,13 @@ void hand_over(char letter, auto content) {
   }
 }
 
-int run(const std::string& file, double size, double factor) {
+int run(const std::string& file, double size, double factor, const std::string& zone) {
   limit_resources(file);
   std::set_terminate(end_with_complaint);
   std::string complaint;
   try {
     start_gmsh();
-    hand_over(mesh_stream::sound, read(file, size, factor, !file.ends_with(".msh")));
+    hand_over(mesh_stream::sound, read(file, size, factor, zone, !file.ends_with(".msh")));
     return 0;
   } catch (const Refusal& refusal) {
     complaint = refusal.what();
@@ -232,7 +234,8 @@ int run(const std::string& file, double size, double factor) {
 }  // namespace gnomon::gmsh_reader
 
 int main(int count, char** arguments) {
-  if (count != 4) return 2;
+  if (count != 4 && count != 5) return 2;
   // Without the ends of Gmsh's and OpenCASCADE's many static objects.
-  _exit(gnomon::gmsh_reader::run(arguments[1], std::atof(arguments[2]), std::atof(arguments[3])));
+  _exit(gnomon::gmsh_reader::run(arguments[1], std::atof(arguments[2]), std::atof(arguments[3]),
+                                 count == 5 ? arguments[4] : ""));
 }

@@ -26,6 +26,9 @@ void copy_model(ImportedMesh& mesh, bool geometry);
 /// of a structured mesh, which sizes do not change.
 void ask_for_factor(double factor);
 
+/// A FineZone as text: size, then centre and radius of each ball.
+void ask_for_zone(const std::string& zone);
+
 /// The number of elements on all curves of the current model, which is left without a mesh.
 double elements_on_curves();
 

@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,7 +15,7 @@
 #include <gnomon/base/installation.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "mesh/import_nodes.hpp"
 #include "mesh/mesh_stream.hpp"
@@ -209,6 +210,14 @@ std::string how_it_ended(int status, bool geometry) {
   return fmt::format("Gmsh itself failed (signal {}); {}", signal, advice);
 }
 
+/// Size, then four numbers for each ball. A word of a command may have 128 kB.
+std::string text_of(const FineZone& zone) {
+  std::string text = fmt::format("{}", zone.size);
+  for (const FineZone::Ball& ball : zone.balls)
+    text += fmt::format(" {:.7g}", fmt::join(ball, " "));
+  return text;
+}
+
 /// Starts the process that uses Gmsh, takes what it hands over and waits for its end.
 ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFileOptions& options) {
   int ends[2];
@@ -216,9 +225,11 @@ ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFile
   Descriptor input, output;
   input.number = ends[0];
   output.number = ends[1];
-  const pid_t process = start({installed("libexec/gnomon/gnomon_gmsh").string(), file.string(),
-                               fmt::format("{}", options.size), fmt::format("{}", options.factor)},
-                              output.number);
+  std::vector<std::string> words = {installed("libexec/gnomon/gnomon_gmsh").string(), file.string(),
+                                    fmt::format("{}", options.size),
+                                    fmt::format("{}", options.factor)};
+  if (!options.fine.balls.empty()) words.push_back(text_of(options.fine));
+  const pid_t process = start(words, output.number);
   output.close_now();
   std::optional<Handed> handed = take(input.number);
   input.close_now();
@@ -238,7 +249,7 @@ ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFile
 
 #endif
 
-using MeshOfFile = std::pair<std::tuple<std::filesystem::path, double, double>, ImportedMesh>;
+using MeshOfFile = std::pair<std::pair<std::filesystem::path, MeshFileOptions>, ImportedMesh>;
 
 /// The last ones, oldest first; nothing while meshes are not kept.
 thread_local std::optional<std::deque<MeshOfFile>> kept;
@@ -278,7 +289,7 @@ ImportedMesh read_mesh_file(const std::filesystem::path& file, const MeshFileOpt
   if (extension(file) == ".geo") check_last_line(file);
   if (!kept) return mesh_from_process(file, options);
   constexpr std::size_t most = 3;
-  const std::tuple key(std::filesystem::absolute(file), options.size, options.factor);
+  const std::pair key(std::filesystem::absolute(file), options);
   const auto known = std::ranges::find(*kept, key, &MeshOfFile::first);
   if (known != kept->end()) return known->second;
   if (kept->size() == most) kept->pop_front();

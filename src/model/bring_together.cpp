@@ -77,9 +77,10 @@ double travel_to_touch(const MortarPair<dim>& pair, const Vector<dim>& e,
 }
 
 template <int dim>
-std::map<int, double> travels_of_slave(const MortarPair<dim>& pair,
-                                       const std::vector<Vector<dim>>& x) {
-  return travels<dim>(pair.slave, pair.master, -pair.approach, x);
+std::map<int, double> travels_of_side(const MortarPair<dim>& pair, int side,
+                                      const std::vector<Vector<dim>>& x) {
+  return side == 0 ? travels<dim>(pair.slave, pair.master, -pair.approach, x)
+                   : travels<dim>(pair.master, pair.slave, pair.approach, x);
 }
 
 template <int dim>
@@ -129,10 +130,10 @@ template double travel_to_touch(const MortarPair<2>&, const Vector<2>&,
                                 const std::vector<Vector<2>>&);
 template double travel_to_touch(const MortarPair<3>&, const Vector<3>&,
                                 const std::vector<Vector<3>>&);
-template std::map<int, double> travels_of_slave(const MortarPair<2>&,
-                                                const std::vector<Vector<2>>&);
-template std::map<int, double> travels_of_slave(const MortarPair<3>&,
-                                                const std::vector<Vector<3>>&);
+template std::map<int, double> travels_of_side(const MortarPair<2>&, int,
+                                               const std::vector<Vector<2>>&);
+template std::map<int, double> travels_of_side(const MortarPair<3>&, int,
+                                               const std::vector<Vector<3>>&);
 template struct Touching<2>;
 template struct Touching<3>;
 

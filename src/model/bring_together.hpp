@@ -12,10 +12,10 @@ namespace gnomon {
 template <int dim>
 double travel_to_touch(const MortarPair<dim>& pair, const Vector<dim>& e,
                        const std::vector<Vector<dim>>& x);
-/// The same along its approach for every node of the slave's facets by itself.
+/// The same along its approach for every node of the slave's (0) or master's facets by itself.
 template <int dim>
-std::map<int, double> travels_of_slave(const MortarPair<dim>& pair,
-                                       const std::vector<Vector<dim>>& x);
+std::map<int, double> travels_of_side(const MortarPair<dim>& pair, int side,
+                                      const std::vector<Vector<dim>>& x);
 
 /// Displacements of bodies that supports let move along the approach of a pair, or slantwise to it,
 /// nodes x dim: to where the pairs touch [length], and of the length one in the same direction,

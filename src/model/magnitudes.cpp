@@ -10,6 +10,7 @@
 
 #include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
+#include "model/expected_contact.hpp"
 #include "model/rigid_parts.hpp"
 
 namespace gnomon {
@@ -96,62 +97,16 @@ Indentation by_overlap(const GapProfile& gaps, double depth, double modulus, boo
 template <int dim>
 using Patches = std::vector<ContactPatch<dim>>;
 
-/// The travel of a phase's counter-body to each contact node; under a force from where it touches
-/// first, which is a different place in each phase (the lift of a cam).
+/// Of the contact nodes that something can meet.
 template <int dim>
-std::vector<double> travels(const Phase<dim>& phase, const Mesh<dim>& mesh,
-                            const Patches<dim>& patches) {
-  std::vector<double> result;
-  double first = std::numeric_limits<double>::infinity();
-  for (const auto& patch : patches) {
-    result.push_back(phase.counter_body.travel_to(mesh.nodes[patch.node], patch.initial_normal));
-    first = std::min(first, result.back());
-  }
-  if (phase.force && std::isfinite(first))
-    for (double& travel : result) travel -= first;
-  return result;
-}
-
-/// How far the masters come to each node of the slaves, from the first touch; the least of all
-/// phases.
-template <int dim>
-GapProfile gaps_of_pairs(const AssemblyParts<dim>& parts, const Patches<dim>& patches) {
-  std::map<int, double> least;  // by node
-  for (const Phase<dim>& phase : parts.instants()) {
-    const auto x = in_space(parts.pairs, phase.places, parts.mesh.nodes);
-    for (const MortarPair<dim>& pair : parts.pairs) {
-      const double first = travel_to_touch<dim>(pair, pair.approach, x);
-      for (const auto& [node, travel] : travels_of_slave<dim>(pair, x)) {
-        if (!std::isfinite(travel)) continue;
-        const auto at = least.try_emplace(node, travel - first).first;
-        at->second = std::min(at->second, travel - first);
-      }
-    }
-  }
+GapProfile gaps_of(const AssemblyParts<dim>& parts, const Patches<dim>& patches) {
+  const std::map<int, double> least = gaps_over_cycle(parts);
   std::vector<double> gaps, areas;
   for (const ContactPatch<dim>& patch : patches)
     if (const auto at = least.find(patch.node); at != least.end()) {
       gaps.push_back(at->second);
       areas.push_back(patch.initial_area);
     }
-  return {gaps, areas};
-}
-
-/// The least of all phases.
-template <int dim>
-GapProfile gaps_of(const AssemblyParts<dim>& parts, const Patches<dim>& patches) {
-  if (!parts.pairs.empty()) return gaps_of_pairs(parts, patches);
-  std::vector<double> least(patches.size(), std::numeric_limits<double>::infinity());
-  for (const Phase<dim>& phase : parts.instants()) {
-    const std::vector<double> travel = travels(phase, parts.mesh, patches);
-    for (std::size_t c = 0; c < least.size(); ++c) least[c] = std::min(least[c], travel[c]);
-  }
-  std::vector<double> gaps, areas;
-  for (std::size_t c = 0; c < least.size(); ++c) {
-    if (!std::isfinite(least[c])) continue;
-    gaps.push_back(least[c]);
-    areas.push_back(patches[c].initial_area);
-  }
   return {gaps, areas};
 }
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
-#include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/scene/keys.hpp>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace gnomon::part {
 
@@ -29,11 +29,13 @@ std::vector<std::string> bodies_with_mesh(const Scene& scene) {
 }
 
 /// The file that a key names: beside the scene, unless its path is absolute.
-ImportedMesh read_file(const Scene& scene, const std::string& key) {
+ImportedMesh read_file(const Scene& scene, const std::string& key, FineZone fine) {
+  if (!is_geometry(scene.text(key))) fine = {};
   try {
-    return read_mesh_file(
-        scene.path().parent_path() / scene.text(key),
-        {.size = scene.real_if("mesh.size").value_or(0), .factor = scene.real("mesh.factor")});
+    return read_mesh_file(scene.path().parent_path() / scene.text(key),
+                          {.size = scene.real_if("mesh.size").value_or(0),
+                           .factor = scene.real("mesh.factor"),
+                           .fine = std::move(fine)});
   } catch (const InputError& error) {
     throw InputError(scene.where(key) + ": " + error.what());
   }
@@ -47,6 +49,15 @@ void move(const Scene& scene, const std::string& key, ImportedMesh& mesh) {
                                  mesh.dimension, shift.size()));
   for (auto& node : mesh.nodes)
     for (std::size_t i = 0; i < shift.size(); ++i) node[i] += shift[i];
+}
+
+/// In the coordinates of the file of a body that the scene moves.
+FineZone moved_back(const Scene& scene, const std::string& key, FineZone fine) {
+  if (!scene.given(key)) return fine;
+  const std::vector<double>& shift = scene.reals(key);
+  for (FineZone::Ball& ball : fine.balls)
+    for (std::size_t i = 0; i < std::min<std::size_t>(shift.size(), 3); ++i) ball[i] -= shift[i];
+  return fine;
 }
 
 /// The cells of the file become the body's group; its other groups of cells are left out.
@@ -96,7 +107,7 @@ void tell_apart(std::vector<ImportedMesh>& meshes, const std::vector<std::string
       if (files[group.name] > 1) group.name = bodies[k] + "." + group.name;
 }
 
-ImportedMesh read_meshes_of_bodies(const Scene& scene) {
+ImportedMesh read_meshes_of_bodies(const Scene& scene, const FineZone& fine) {
   if (scene.has("mesh.file"))
     throw InputError(scene.where("mesh.file") + ": expected none beside body.#.mesh");
   std::vector<ImportedMesh> meshes;
@@ -106,7 +117,7 @@ ImportedMesh read_meshes_of_bodies(const Scene& scene) {
     if (!scene.given(key))
       throw InputError(fmt::format("{}: [[body]] number {}: expected `mesh`, as the others have",
                                    scene.path().string(), number));
-    meshes.push_back(read_file(scene, key));
+    meshes.push_back(read_file(scene, key, moved_back(scene, table + ".shift", fine)));
     bodies.push_back(scene.text(table + ".name"));
     if (meshes.back().dimension != meshes.front().dimension)
       throw InputError(scene.where(key) +
@@ -132,12 +143,12 @@ bool has_geometry(const Scene& scene) {
          });
 }
 
-ImportedMesh read_mesh(const Scene& scene) {
-  if (!bodies_with_mesh(scene).empty()) return read_meshes_of_bodies(scene);
+ImportedMesh read_mesh(const Scene& scene, const FineZone& fine) {
+  if (!bodies_with_mesh(scene).empty()) return read_meshes_of_bodies(scene, fine);
   if (!scene.has("mesh.file"))
     throw InputError(scene.path().string() +
                      ": section [mesh]: expected `file`, a mesh, or a geometry, which Gmsh meshes");
-  return read_file(scene, "mesh.file");
+  return read_file(scene, "mesh.file", fine);
 }
 
 }  // namespace gnomon::part

@@ -1,7 +1,7 @@
 // The mesh of a scene: one file, or a file for each body.
 #pragma once
 
-#include <gnomon/mesh/imported_mesh.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <vector>
 
@@ -15,7 +15,8 @@ bool has_geometry(const Scene& scene);
 
 /// The mesh of mesh.file, or those of body.#.mesh, one after the other: the cells of each are the
 /// group that its body names. Where groups of facets or points in two files have one name, the body
-/// goes before it, as in "pin.top". Throws InputError.
-ImportedMesh read_mesh(const Scene& scene);
+/// goes before it, as in "pin.top". `fine` is of the bodies where the scene has them. Throws
+/// InputError.
+ImportedMesh read_mesh(const Scene& scene, const FineZone& fine = {});
 
 }  // namespace gnomon::part

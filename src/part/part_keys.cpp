@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
@@ -8,6 +9,7 @@
 #include "part/body_meshes.hpp"
 #include "part/changing_friction.hpp"
 #include "part/first_loading.hpp"
+#include "part/graded_mesh.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/pairs.hpp"
@@ -50,6 +52,9 @@ std::vector<Key> mesh_keys() {
                "scene or by its path"},
       real_key("mesh.size", "mm", absent("as the geometry asks for"), positive_quantity,
                "longest edge of an element where the geometry asks for no smaller one"),
+      real_key("mesh.contact_size", "mm", absent("as elsewhere"), positive_quantity,
+               "of a geometry: edge of the elements where the bodies are expected to touch over "
+               "the run; from there they grow"),
       controlling(real_key("mesh.factor", "", by_default(1.0), {.min = 1e-3, .max = 1e3},
                            "multiplies every edge of the geometry: 0.5 for a mesh twice as fine"),
                   ErrorSource::mesh, with_scaled_edges),
@@ -58,6 +63,7 @@ std::vector<Key> mesh_keys() {
                               "nodes of the boundary on smooth curves through the old ones"),
                   ErrorSource::mesh, with_scaled_split)};
   keys.back().controls->judges_only = true;
+  std::ranges::find(keys, "mesh.factor", &Key::name)->controls->chosen = with_contact_size;
   return keys;
 }
 

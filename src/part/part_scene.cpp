@@ -16,6 +16,7 @@
 #include "part/body_meshes.hpp"
 #include "part/changing_friction.hpp"
 #include "part/first_loading.hpp"
+#include "part/graded_mesh.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
@@ -393,7 +394,7 @@ std::unique_ptr<Model> make_part(const Scene& scene) {
   Mistakes mistakes;
   find_mistakes_of_pairs(scene, mistakes);
   mistakes.require_none();
-  if (!mistakes.collect([&] { mesh = read_mesh(scene); }))
+  if (!mistakes.collect([&] { mesh = read_graded_mesh(scene); }))
     find_mistakes_without_mesh(scene, mistakes);
   mistakes.require_none();
   return mesh.dimension == 2 ? model_of_file<2>(scene, std::move(mesh))

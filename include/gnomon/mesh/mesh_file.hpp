@@ -1,16 +1,32 @@
 // Meshes and geometries from files, through Gmsh's library in a process of its own.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <gnomon/mesh/imported_mesh.hpp>
+#include <vector>
 
 namespace gnomon {
+
+/// Balls of a geometry that is meshed finely there; from them elements grow by three tenths of the
+/// distance.
+struct FineZone {
+  using Ball = std::array<double, 4>;  // centre and radius
+
+  double size = 0;  ///< edge of the elements there [length]; the factor multiplies it, too
+  std::vector<Ball> balls{};
+
+  bool operator==(const FineZone&) const = default;
+};
 
 /// How a geometry is meshed; a mesh has its size already.
 struct MeshFileOptions {
   double size = 0;  ///< largest edge [length]; smaller ones that the geometry asks for stay; 0: the
                     ///< geometry's own (for a STEP file a tenth of its diagonal)
   double factor = 1;  ///< multiplies every edge: 0.5 for a mesh twice as fine
+  FineZone fine{};
+
+  bool operator==(const MeshFileOptions&) const = default;
 };
 
 /// Whether this build has Gmsh's library.

@@ -52,6 +52,8 @@ struct ErrorControl {
   std::function<std::optional<Scene>(const Scene&, double factor)> scaled{};
   /// Plans leave it, because it refines what is given; budgets tell its error.
   bool judges_only = false;
+  /// For plans: the scene with a first choice, where it leaves that to the program; else nothing.
+  std::function<std::optional<Scene>(const Scene&)> chosen{};
 };
 
 /// Specification of one scene key.

@@ -1,0 +1,164 @@
+#include "part/graded_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+#include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
+#include <gnomon/part/assembly_scene.hpp>
+#include <gnomon/part/part_scene.hpp>
+#include <limits>
+
+#include "model/expected_contact.hpp"
+#include "part/body_meshes.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+constexpr const char* size_key = "mesh.contact_size";
+
+double away(const FineZone::Ball& ball, const std::array<double, 3>& place) {
+  return std::hypot(place[0] - ball[0], place[1] - ball[1], place[2] - ball[2]);
+}
+
+/// Fewer balls that contain all: those whose centres lie in one before are added to it.
+std::vector<FineZone::Ball> merged(const std::vector<FineZone::Ball>& balls, double size) {
+  constexpr std::size_t most = 1500;
+  std::vector<FineZone::Ball> result;
+  for (double within = size;; within *= 2) {
+    result.clear();
+    for (const FineZone::Ball& ball : balls) {
+      const std::array centre = {ball[0], ball[1], ball[2]};
+      const auto near = std::ranges::find_if(
+          result, [&](const FineZone::Ball& before) { return away(before, centre) < within; });
+      if (near == result.end()) {
+        result.push_back(ball);
+        if (result.size() > most) break;
+      } else {
+        (*near)[3] = std::max((*near)[3], away(*near, centre) + ball[3]);
+      }
+    }
+    if (result.size() <= most) return result;
+  }
+}
+
+template <int dim>
+std::vector<FineZone::Ball> zone_in(const Scene& scene, const ImportedMesh& mesh) {
+  constexpr long phases = 16;  // where the program chooses their number
+  const ImportedBody<dim> part =
+      check_mesh<dim>(mesh, scene.texts("wear.on"), 0, separate_bodies(scene));
+  const AssemblyParts<dim> parts =
+      read_part<dim>(chooses_phases(scene) ? with_phases(scene, phases) : scene, part);
+  std::vector<FineZone::Ball> balls;
+  for (const Ball<dim>& ball :
+       expected_contact(parts, magnitudes_of(parts, parts.scales.duration))) {
+    FineZone::Ball& now = balls.emplace_back();
+    for (int i = 0; i < dim; ++i) now[static_cast<std::size_t>(i)] = ball.centre[i];
+    now[3] = ball.radius;
+  }
+  return balls;
+}
+
+/// Where the bodies are expected to touch, on the mesh at hand.
+std::vector<FineZone::Ball> zone_of(const Scene& scene, const ImportedMesh& mesh) {
+  return mesh.dimension == 2 ? zone_in<2>(scene, mesh) : zone_in<3>(scene, mesh);
+}
+
+/// Of a box around the balls [length].
+double extent_of(const FineZone& fine) {
+  std::array<double, 3> low{}, high{};
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-low[0]);
+  for (const FineZone::Ball& ball : fine.balls)
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], ball[i] - ball[3]);
+      high[i] = std::max(high[i], ball[i] + ball[3]);
+    }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+/// As many cells as the zone would have if it were as deep as long.
+void require_moderate_number(const Scene& scene, const FineZone& fine, int dimension) {
+  constexpr double most = 20e6;
+  const double extent = extent_of(fine), size = fine.size * scene.real("mesh.factor");
+  if (std::pow(extent / size, dimension) > most)
+    throw InputError(fmt::format(
+        "{}: expected a size that is not so small beside the contact, which may extend over {:.3g} "
+        "mm: {:.2g} or more",
+        scene.where(size_key), extent, extent / std::pow(most, 1.0 / dimension)));
+}
+
+/// Longest edges of facets in the zone; 0 where there is none.
+double mean_edge(const ImportedMesh& mesh, const FineZone& fine) {
+  double sum = 0;
+  int count = 0;
+  for (int k = 0; k < mesh.facets.size(); ++k) {
+    const auto nodes = mesh.facets.at(k);
+    const auto& first = mesh.nodes[static_cast<std::size_t>(nodes[0])];
+    if (std::ranges::none_of(
+            fine.balls, [&](const FineZone::Ball& ball) { return away(ball, first) <= ball[3]; }))
+      continue;
+    double longest = 0;
+    for (const int node : nodes)
+      longest = std::max(longest, away({first[0], first[1], first[2], 0},
+                                       mesh.nodes[static_cast<std::size_t>(node)]));
+    sum += longest;
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+std::string told(const ImportedMesh& mesh, const FineZone& fine, double factor) {
+  constexpr double much = 1.7;
+  const double edge = mean_edge(mesh, fine), wanted = fine.size * factor;
+  return fmt::format(
+      "where the bodies are expected to touch, over {:.3g} mm, edges are about {:.3g} "
+      "mm (mesh.contact_size{})",
+      extent_of(fine), edge,
+      edge > much * wanted
+          ? fmt::format(" asks for {:.3g}, but the geometry gives their number", wanted)
+          : "");
+}
+
+}  // namespace
+
+ImportedMesh read_graded_mesh(const Scene& scene) {
+  if (scene.given(size_key) && !has_geometry(scene))
+    throw InputError(scene.where(size_key) +
+                     ": expected a geometry (.geo, .step or .stp), which gnomon meshes");
+  ImportedMesh mesh = read_mesh(scene);
+  if (!scene.given(size_key)) return mesh;
+  FineZone fine{.size = scene.real(size_key)};
+  for (int pass = 0; pass < 2;
+       ++pass) {  // the second time by the gaps of a mesh that is fine there
+    fine.balls = merged(zone_of(scene, mesh), fine.size);
+    require_moderate_number(scene, fine, mesh.dimension);
+    mesh = read_mesh(scene, fine);
+  }
+  mesh.remarks.push_back(told(mesh, fine, scene.real("mesh.factor")));
+  return mesh;
+}
+
+std::optional<Scene> with_contact_size(const Scene& scene) {
+  const bool has_sizes = scene.is_set("mesh.size") || scene.is_set("mesh.factor") ||
+                         scene.given(size_key) || !scene.given("mesh.file") ||
+                         !is_geometry(scene.text("mesh.file")) ||
+                         scene.text("mesh.file").ends_with(".geo");
+  if (has_sizes) return {};
+  constexpr double across = 20;  // elements, before a plan refines them
+  ImportedMesh mesh = read_mesh(scene);
+  FineZone fine{.balls = zone_of(scene, mesh)};
+  for (int pass = 0; pass < 2; ++pass) {
+    fine.size = extent_of(fine) / across;
+    fine.balls = merged(fine.balls, fine.size);
+    mesh = read_mesh(scene, fine);
+    fine.balls = zone_of(scene, mesh);
+  }
+  const double size = extent_of(fine) / across, digit = std::pow(10, std::floor(std::log10(size)));
+  return scene.with(size_key, std::round(10 * size / digit) * digit / 10);
+}
+
+}  // namespace gnomon::part

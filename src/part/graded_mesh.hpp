@@ -1,0 +1,18 @@
+// A mesh that is fine where the bodies are expected to touch.
+#pragma once
+
+#include <gnomon/mesh/imported_mesh.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <optional>
+
+namespace gnomon::part {
+
+/// The mesh of the scene; with mesh.contact_size of a geometry that is meshed again where the run
+/// is expected to bring the bodies into contact. Throws InputError.
+ImportedMesh read_graded_mesh(const Scene& scene);
+
+/// With a mesh.contact_size of a twentieth of the contact that is expected, for a STEP file whose
+/// scene gives no sizes; else nothing.
+std::optional<Scene> with_contact_size(const Scene& scene);
+
+}  // namespace gnomon::part

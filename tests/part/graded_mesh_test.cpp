@@ -1,0 +1,151 @@
+// Meshes that are fine where the bodies are expected to touch.
+
+#include "part/graded_mesh.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+
+#include "part/part_scene.hpp"
+
+namespace gnomon::graded_mesh_test {
+namespace {
+
+using namespace testing;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+constexpr const char* block = R"(SetFactory("OpenCASCADE");
+Rectangle(1) = {-10, -10, 0, 20, 10};
+Physical Surface("block") = {1};
+b() = Boundary { Surface{1}; };
+Physical Curve("bottom") = {b(0)}; Physical Curve("face") = {b(2)};
+)";
+
+constexpr const char* roller_on_block = R"(
+problem = "worn_body"
+mesh = { file = "block.geo", size = 2.0, contact_size = 0.1 }
+model.plane = "strain"
+body = { young_modulus = 105e3, poisson_ratio = 0.3 }
+support = [ { on = "bottom" } ]
+[counter_body]
+shape = "cylinder"
+radius = 20.0
+center = [3.0, 20.0]
+motion = { velocity = [500.0, 0.0] }
+press = { direction = [0.0, -1.0], force = 50.0 }
+[wear]
+on = ["face"]
+coefficient = 2e-9
+[time]
+end = 2000.0
+)";
+
+/// Edges of the contact surface, by their middle.
+std::map<double, double> edges_of(const Model& model) {
+  Counters counters;
+  const ContactSurface surface = model.contact(model.start(counters)).value();
+  std::vector<double> x;
+  for (const auto& place : surface.initial) x.push_back(place[0]);
+  std::ranges::sort(x);
+  std::map<double, double> edges;
+  for (std::size_t k = 1; k < x.size(); ++k) edges[(x[k] + x[k - 1]) / 2] = x[k] - x[k - 1];
+  return edges;
+}
+
+class GradedMesh : public PartScenes {};
+
+// The worn segment of the circle has the area k P v t.
+TEST_F(GradedMesh, IsFineWhereTheRollerWears) {
+  folder_.write("block.geo", block);
+  const auto model = this->model(roller_on_block);
+  const double a = std::cbrt(1.5 * 20 * 0.1);
+  for (const auto& [x, edge] : edges_of(*model)) {
+    if (std::abs(x - 3) < a) {
+      EXPECT_NEAR(edge, 0.1, 0.02) << x;
+    }
+    if (std::abs(x - 3) > 5) {
+      EXPECT_GT(edge, 0.5) << x;
+    }
+  }
+  EXPECT_THAT(model->remarks, Contains(AllOf(HasSubstr("where the bodies are expected to touch"),
+                                             HasSubstr("edges are about 0.09"))));
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 2000);
+  EXPECT_NEAR(observed(*model, run.last(), "contact_half_width") / a, 1, 0.01);
+}
+
+TEST_F(GradedMesh, HasTheFactorOfAllEdges) {
+  folder_.write("block.geo", block);
+  const auto edges = edges_of(*this->model(roller_on_block, {"mesh.factor=0.5"}));
+  EXPECT_NEAR(edges.lower_bound(3)->second, 0.05, 0.01);
+}
+
+// The mesh of each body is in the coordinates of its file.
+TEST_F(GradedMesh, OfTwoBodiesIsFineOnBoth) {
+  folder_.write("block.geo", block);
+  folder_.write("cap.geo", R"(SetFactory("OpenCASCADE");
+Disk(1) = {0, 6, 0, 6}; Rectangle(2) = {-6.5, 0, 0, 13, 4};
+BooleanIntersection(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };
+Physical Surface("cap") = {3};
+b() = Boundary { Surface{3}; };
+Physical Curve("top") = {b(0)}; Physical Curve("round") = {b(1), b(2)};
+)");
+  const auto model = this->model(R"(
+problem = "worn_body"
+mesh = { size = 1.5, contact_size = 0.1 }
+model.plane = "strain"
+body = [ { name = "flat", mesh = "block.geo", young_modulus = 2e5, poisson_ratio = 0.3 },
+         { name = "cap", mesh = "cap.geo", shift = [3.0, 0.0], young_modulus = 2e5, poisson_ratio = 0.3 } ]
+pair = [ { bodies = ["cap", "flat"] } ]
+motion = [ { body = "cap", velocity = [0.0, 0.0, 100.0] } ]
+support = [ { on = "bottom" }, { on = "top", directions = ["x"] } ]
+load = [ { on = "top", force = [0.0, -185.0] } ]
+[wear]
+on = ["face"]
+coefficient = 1e-8
+[time]
+end = 2000.0
+)");
+  std::map<double, int> near;  // contact nodes of both bodies, by their height
+  Counters counters;
+  const ContactSurface surface = model->contact(model->start(counters)).value();
+  for (const auto& place : surface.initial)
+    if (std::abs(place[0] - 3) < 1) ++near[place[1] == 0 ? 0 : 1];
+  EXPECT_NEAR(near[0], 20, 4);
+  EXPECT_NEAR(near[1], 20, 4);
+}
+
+TEST_F(GradedMesh, SaysWhereTheGeometryGivesTheNumberOfElements) {
+  std::string transfinite = block;
+  transfinite +=
+      "Transfinite Curve {b(0), b(2)} = 21; Transfinite Curve {b(1), b(3)} = 11;\n"
+      "Transfinite Surface {1};\n";
+  folder_.write("block.geo", transfinite);
+  EXPECT_THAT(this->model(roller_on_block)->remarks,
+              Contains(HasSubstr("asks for 0.1, but the geometry gives their number")));
+}
+
+TEST_F(GradedMesh, MistakesAreRefused) {
+  folder_.write("block.geo", block);
+  EXPECT_THAT(refusal(roller_on_block, {"mesh.contact_size=1e-5"}),
+              HasSubstr("mesh.contact_size: expected a size that is not so small"));
+  EXPECT_THAT(refusal(roller_on_block, {"mesh.contact_size=0"}), HasSubstr("mesh.contact_size"));
+  std::string meshed = roller_on_block;
+  meshed.replace(meshed.find("block.geo\", size = 2.0"), 22, "block.msh\"");
+  EXPECT_THAT(refusal(meshed), HasSubstr("expected a geometry (.geo, .step or .stp)"));
+}
+
+// A plan for an accuracy begins with a twentieth of the contact.
+TEST_F(GradedMesh, IsChosenForAStepFileWithoutSizes) {
+  const Scene bushing = load_scene(shipped("bushing.toml"), {}, key_table);
+  EXPECT_FALSE(part::with_contact_size(bushing)) << "it gives a size";
+  const std::optional<Scene> chosen =
+      part::with_contact_size(bushing.without("mesh.size").without("mesh.factor"));
+  ASSERT_TRUE(chosen);
+  EXPECT_NEAR(chosen->real("mesh.contact_size"), 1, 0.5);
+}
+
+}  // namespace
+}  // namespace gnomon::graded_mesh_test
