@@ -209,8 +209,7 @@ closed form from the first contact on: 2 a^3/(3 R) = F/K + k F v t, and along a 
 p) with the approach delta = a^2/(2 R). Lines are the closed form, dots gnomon.""", springs),
     Entry("punch", "Flat punch on a half-plane: modes that decay", """
 A rigid flat punch slides on a half-plane. Its pressure, singular at the edges, becomes uniform; the slowest
-symmetric mode decays at the rate 1.7267 E* k v/a. The contact never changes, so this problem shows the order of
-methods ([integrators](integrators.md)).""", punch),
+symmetric mode decays at the rate 1.7267 E* k v/a. The contact never changes.""", punch),
     Entry("rigid-limit", "Worn pin and the rigid limit", """
 The pin of the paper's sec. 4.1. A rigid pin would wear to the half width a with 2 a^3/(3 R) = k F v t. An
 elastic one is wider by a part in proportion to 1/E.""", rigid_limit),
@@ -218,6 +217,6 @@ elastic one is wider by a part in proportion to 1/E.""", rigid_limit),
 A flat ring is worn by a disc that turns, so that the sliding speed is omega r. In the end all of the surface
 wears at the same rate, with the pressure F/(2 pi r (b - a)).""", clutch),
     Entry("rigid-ball", "Worn ball and the rigid limit, in space", """
-The ball of the paper's sec. 4.2 with friction, E = 100 GPa. Such a stiff ball wears to a spherical cap of the
-volume K f F v t, and the pressure becomes uniform on its circle: lines. Dots are gnomon's nodes.""", rigid_ball),
+The ball of the paper's sec. 4.2 with friction, E = 100 GPa. Lines: a spherical cap of the volume K f F v t, and
+the pressure uniform on its circle. Dots are gnomon's nodes.""", rigid_ball),
 ]

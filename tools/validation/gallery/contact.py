@@ -102,9 +102,9 @@ def space(_full):
 ENTRIES = [
     Entry("hertz", "Hertz, in the plane and of revolution", """
 Contact without wear (`wear.coefficient = 0`). Dots are nodes, the lines are Hertz's theory with the half width
-a and the largest pressure p0. Most of the difference is in the facet where contact ends. [Details](validation.md#hertz).""", plane),
+a and the largest pressure p0. [Details](validation.md#hertz).""", plane),
     Entry("hertz-space", "Hertz, in space", """
 A ball in the groove of an outer bearing ring touches it in an ellipse; nodes are drawn over sqrt((x/a)^2 +
-(y/b)^2). A ball in a conical seat touches it along a ring; nodes of the whole circumference are drawn over the
-distance from the ring. [Details](validation.md#hertz-in-space).""", space),
+(y/b)^2). A ball in a conical seat touches it along a ring; nodes are drawn over the distance from the ring.
+[Details](validation.md#hertz-in-space).""", space),
 ]

@@ -56,6 +56,6 @@ def fretting(_full):
 
 ENTRIES = [
     Entry("fretting", "Fretting in gross sliding, 18,000 cycles", """
-A cylinder slides to and fro on a flat (McColl, Ding, Leen, Wear 256, 2004; 18.5 N/mm, amplitude 25 um): the mean wear of
-the phases of a [cycle](cycles.md) drives the shape, and the tolerance chooses the jumps over cycles.""", fretting),
+A cylinder slides to and fro on a flat (McColl, Ding, Leen, Wear 256, 2004; 18.5 N/mm, amplitude 25 um). The tolerance
+chooses the jumps over [cycles](cycles.md).""", fretting),
 ]

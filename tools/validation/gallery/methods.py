@@ -90,8 +90,7 @@ A nonlinear equation with a solution in closed form (`problems/dahlquist/nonline
 step divides the error by 2 to the power of the order.""", orders),
     Entry("critical-step", "The critical step of forward Euler (eq. 17)", """
 The largest stable step at t = 200 s, from the spectrum of the linearized equations, and the step above which a
-perturbation grows in actual steps. Eq. (17) says that it is proportional to h/E. For a half-plane whose pressure
-alternates from node to node the factor is 2/c with c = pi/2 for the continuous body
-([theory](theory.md#why-explicit-methods-need-small-steps)); F-bar elements are softer. [More](stability.md).""",
+perturbation grows in actual steps. Eq. (17) says that it is proportional to h/E
+([theory](theory.md#why-explicit-methods-need-small-steps)). [More](stability.md).""",
           stability),
 ]

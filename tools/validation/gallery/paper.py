@@ -80,12 +80,11 @@ estimated ([studies](studies.md)). Euler's methods are of order one, forward Eul
 stiffnesses and meshes](stability.md#over-youngs-modulus-and-mesh).""", errors),
     Entry("ball", "The paper's ball on a flat (sec. 4.2)", """
 Contact pressures at four times, with friction; small deformations (E = 100 GPa) and finite ones (E = 10 MPa); a
-coarse mesh with elements of 0.3 mm. Pictures, steps, errors and times at the paper's size: [the examples in
-space](three_dimensions.md).""",
+coarse mesh with elements of 0.3 mm. [At the paper's size](three_dimensions.md).""",
           in_space("ball_on_flat", "pressure-map")),
     Entry("groove", "The paper's groove in a half-space (sec. 4.3)", """
 The block streams past the ball, and its worn shape is a field of one cross-section. Worn and deformed meshes
-with the equivalent stress, small and finite deformations, on coarse meshes. Pictures and numbers at the paper's
-size: [the examples in space](three_dimensions.md).""",
+with the equivalent stress, small and finite deformations, on coarse meshes. [At the paper's
+size](three_dimensions.md).""",
           in_space("ball_on_half_space", "mesh")),
 ]

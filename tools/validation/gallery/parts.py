@@ -38,6 +38,5 @@ def ledger(_full):
 ENTRIES = [
     Entry("ledger", "Parts of any shape: the ledger", """
 Archard's law determines the worn volume whatever the shape: k times the integral of force and sliding speed.
-With `wear.normal = "conservative"`, the default, the mesh loses exactly what wears, up to the tolerance in
-time.""", ledger),
+With `wear.normal = "conservative"`, the default, the mesh loses this volume, up to the tolerance in time.""", ledger),
 ]

@@ -94,8 +94,8 @@ form. The closed form is a groove of the ring's radius and the area k P s, corre
 half-plane.""", ring),
     Entry("pin-on-disc", "Pin on disc: the spherical end of a pin", """
 A ball of 50 mm radius wears on a flat (I. Argatov, Wear 271 (2011) 1147), against three solutions: Argatov's
-a^4 = a0^4 + 4 k F s R/pi, a worn half-space under uniform pressure, and rings of pressure on a half-space, a
-program of 70 lines that shares nothing with gnomon.""", disc),
+a^4 = a0^4 + 4 k F s R/pi, a worn half-space under uniform pressure, and rings of pressure on a half-space, by a
+program of its own.""", disc),
     Entry("half-round-ring", "Ring of half-round section", """
 After Ansys' technology demonstration td-043: a copper ring of half-round section is pressed on a flat ring and
 wears. No numbers are published; the worn section is a chord, whose width and depth follow from the volume k F s

@@ -31,7 +31,6 @@ def wheel(_full):
 ENTRIES = [
     Entry("wheel-on-rail", "Wheel on rail, in space", """
 A wheel drives on a rail with a creepage of 0.001; both deform, and both wear. Left: depths of wear, dots of the wheel
-and squares of the rail by gnomon, lines by a program of uniform tractions on squares of two half-spaces, which freezes
-the profiles for a thirtieth of the time. Right: gnomon's pressures. At the end depths and volume are 4 to 7 % too small
-on this mesh.""", wheel),
+and squares of the rail by gnomon, lines by a program of two half-spaces. Right: gnomon's pressures. At the end depths
+and volume are 4 to 7 % too small on this mesh.""", wheel),
 ]
