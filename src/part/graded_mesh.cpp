@@ -19,6 +19,7 @@ namespace gnomon::part {
 namespace {
 
 constexpr const char* size_key = "mesh.contact_size";
+constexpr double across = 20;  // elements of the contact of a mesh to begin with
 
 double away(const FineZone::Ball& ball, const std::array<double, 3>& place) {
   return std::hypot(place[0] - ball[0], place[1] - ball[1], place[2] - ball[2]);
@@ -80,15 +81,15 @@ double extent_of(const FineZone& fine) {
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-/// As many cells as the zone would have if it were as deep as long.
-void require_moderate_number(const Scene& scene, const FineZone& fine, int dimension) {
-  constexpr double most = 20e6;
-  const double extent = extent_of(fine), size = fine.size * scene.real("mesh.factor");
-  if (std::pow(extent / size, dimension) > most)
+/// Of facets in the zone.
+void require_moderate_number(const Scene& scene, double extent, int dimension) {
+  constexpr double most = 1e5;
+  const double least = extent / std::pow(most, 1.0 / (dimension - 1)) / scene.real("mesh.factor");
+  if (scene.real(size_key) < least)
     throw InputError(fmt::format(
         "{}: expected a size that is not so small beside the contact, which may extend over {:.3g} "
         "mm: {:.2g} or more",
-        scene.where(size_key), extent, extent / std::pow(most, 1.0 / dimension)));
+        scene.where(size_key), extent, least));
 }
 
 /// Longest edges of facets in the zone; 0 where there is none.
@@ -131,11 +132,15 @@ ImportedMesh read_graded_mesh(const Scene& scene) {
                      ": expected a geometry (.geo, .step or .stp), which gnomon meshes");
   ImportedMesh mesh = read_mesh(scene);
   if (!scene.given(size_key)) return mesh;
-  FineZone fine{.size = scene.real(size_key)};
-  for (int pass = 0; pass < 2;
-       ++pass) {  // the second time by the gaps of a mesh that is fine there
-    fine.balls = merged(zone_of(scene, mesh), fine.size);
-    require_moderate_number(scene, fine, mesh.dimension);
+  constexpr double finer =
+      6;  // a mesh says where the next one is fine only as well as it is itself
+  const double asked = scene.real(size_key);
+  FineZone fine;
+  for (int pass = 0; pass < 2 || fine.size > asked; ++pass) {
+    fine.balls = zone_of(scene, mesh);
+    fine.size = std::max(asked, pass == 0 ? extent_of(fine) / across : fine.size / finer);
+    fine.balls = merged(fine.balls, fine.size);
+    require_moderate_number(scene, extent_of(fine), mesh.dimension);
     mesh = read_mesh(scene, fine);
   }
   mesh.remarks.push_back(told(mesh, fine, scene.real("mesh.factor")));
@@ -148,7 +153,6 @@ std::optional<Scene> with_contact_size(const Scene& scene) {
                          !is_geometry(scene.text("mesh.file")) ||
                          scene.text("mesh.file").ends_with(".geo");
   if (has_sizes) return {};
-  constexpr double across = 20;  // elements, before a plan refines them
   ImportedMesh mesh = read_mesh(scene);
   FineZone fine{.balls = zone_of(scene, mesh)};
   for (int pass = 0; pass < 2; ++pass) {
