@@ -237,6 +237,14 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   return parts;
 }
 
+/// Once more, with the final speed: sliding distances count by it.
+template <int dim>
+void read_laws_again(const Scene& scene, AssemblyParts<dim>& parts) {
+  for (Surface<dim>& surface : parts.interface.surfaces)
+    if (surface.wears) surface.wear = read_surface_law(scene, surface.name, *parts.interface.speed);
+  parts.interface.friction_factor = read_friction_factor(scene, parts);
+}
+
 /// Contact belongs to all boundary that the counter-body can reach; wear.on says what wears.
 template <int dim>
 void join_reachable_boundary(const Magnitudes& magnitudes, AssemblyParts<dim>& parts) {
@@ -303,12 +311,14 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
       magnitudes = find_magnitudes(scene, slow);
     }
     if (*parts.interface.speed == 0) parts.interface.speed = slow.interface.speed;
+    read_laws_again(scene, parts);
     parts.scales = magnitudes.scales;
   }
   if (parts.interface.rolling) {
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
       if (!scene.given("wear.velocity"))
         parts.interface.speed = speed_of_rolling(parts, magnitudes);
+      read_laws_again(scene, parts);
       magnitudes = find_magnitudes(scene, parts);
     }
     scale_creepages(magnitudes, parts);
