@@ -49,16 +49,21 @@ double gap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
   return std::isfinite(travel) ? std::max(0.0, travel) : 0;
 }
 
-/// A node carries one multiplier: it is a slave in one pair.
+/// A node carries one multiplier: it is a slave in one pair. Tells why where it changes a slave.
 template <int dim>
-void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs) {
+void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs,
+                       std::vector<std::string>& reasons) {
   std::set<int> taken;
   const auto is_free = [&](const MortarPair<dim>& pair) {
     return std::ranges::none_of(nodes_of_facets(pair.slave),
                                 [&](int node) { return taken.contains(node); });
   };
-  for (MortarPair<dim>& pair : pairs) {
-    if (!is_free(pair)) reverse(pair);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    MortarPair<dim>& pair = pairs[k];
+    if (!is_free(pair)) {
+      reverse(pair);
+      reasons[k] = "nodes of the other one carry those of another contact";
+    }
     if (!is_free(pair))
       throw InputError(fmt::format(
           "{}: [[pair]]: expected pairs whose contacts do not meet, but that of \"{}\" and \"{}\" "
@@ -86,8 +91,9 @@ std::string choose_covered(const AssemblyParts<dim>& parts, MortarPair<dim>& pai
 }
 
 /// Of bodies that roll, material comes to the nodes of the slave along the lines of its track.
+/// Returns whether this changes the slave.
 template <int dim>
-void choose_track(const Scene& scene, const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
+bool choose_track(const Scene& scene, const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
   std::set<typename Mesh<dim>::Facet> on_tracks;  // by sorted nodes
   for (const Surface<dim>& surface : parts.interface.surfaces)
     for (const auto& facet : surface.facets)
@@ -105,14 +111,15 @@ void choose_track(const Scene& scene, const AssemblyParts<dim>& parts, MortarPai
     return most;
   };
   constexpr double straight = 1e-6;
-  if (!has(pair.slave) ||
-      (has(pair.master) && bend(1, pair.master) > bend(0, pair.slave) + straight))
-    reverse(pair);
+  const bool changes = !has(pair.slave) ||
+                       (has(pair.master) && bend(1, pair.master) > bend(0, pair.slave) + straight);
+  if (changes) reverse(pair);
   if (!has(pair.slave))
     throw InputError(
         fmt::format("{}: [[pair]]: expected a surface of \"{}\" or \"{}\" in wear.on "
                     "with a path, along which its material rolls",
                     scene.path().string(), pair.bodies[0], pair.bodies[1]));
+  return changes;
 }
 
 /// Where two surfaces that wear meet at an edge, a node has one normal and one pressure for both.
@@ -154,6 +161,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   std::set<typename Mesh<dim>::Facet> wearing;  // by sorted nodes
   for (const Surface<dim>& surface : wearing_surfaces(scene, part))
     for (const auto& facet : surface.facets) wearing.insert(sorted(facet));
+  std::vector<std::string> reasons;
   for (MortarPair<dim>& pair : parts.pairs) {
     // Facets of a shaft and its bore have gaps of their own.
     std::vector<double> gaps;
@@ -171,17 +179,21 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
           scene.path().string(), pair.bodies[0], pair.bodies[1], gap, closed / 3));
     std::string reason = parts.interface.sticks ? choose_covered(parts, pair) : "";
     if (reason.empty()) reason = choose_slave<dim>(nearest, parts.section(), parts.bodies, pair);
-    if (parts.interface.rolling) choose_track(scene, parts, pair);
+    if (parts.interface.rolling && choose_track(scene, parts, pair))
+      reason = "its material rolls along a path";
+    reasons.push_back(std::move(reason));
     // Surfaces of several pairs go on to where the other one begins: each has what is near.
     const bool alone = parts.pairs.size() == 1;
     join_beside<dim>(nearest, pair,
                      [&](const auto& facet) { return alone && wearing.contains(sorted(facet)); });
     pair.reach = 2 * (reach + mean_size<dim>(pair.slave, nearest));
+  }
+  tell_slaves_apart(scene, parts.pairs, reasons);
+  for (std::size_t k = 0; k < reasons.size(); ++k)
     parts.remarks.push_back(
         fmt::format("\"{}\" may touch \"{}\" with {} facets, which carry the pressures since {}",
-                    pair.bodies[0], pair.bodies[1], pair.slave.size(), reason));
-  }
-  tell_slaves_apart(scene, parts.pairs);
+                    parts.pairs[k].bodies[0], parts.pairs[k].bodies[1], parts.pairs[k].slave.size(),
+                    reasons[k]));
   if (parts.interface.rolling) parts.interface.rolling = rolling_of(scene, parts);
   parts.interface.partner.approach = parts.pairs.front().approach;
   std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);
