@@ -1,6 +1,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/gap_motion.hpp>
 #include <optional>
+#include <set>
 
 namespace gnomon {
 
@@ -96,16 +97,18 @@ ShapeMotion<dim> gap_motion(const AssemblyParts<dim>& parts) {
   shape.gap = true;
   shape.held.setOnes();
   shape.along.clear();
+  std::set<int> moved;
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.wears) continue;
     const std::vector<ContactPatch<dim>> nodes = nodes_of(parts, surface);
     const std::optional<Vector<dim>> approach = approach_to(parts, surface);
     const bool faces = faces_partner<dim>(nodes, approach);
     for (const ContactPatch<dim>& patch : nodes)
-      move_along<dim>(patch.node,
-                      direction_of<dim>(parts.mesh, patch, parts.shape.free(patch.node),
-                                        faces ? Vector<dim>(-*approach) : patch.initial_normal),
-                      shape);
+      if (moved.insert(patch.node).second)
+        move_along<dim>(patch.node,
+                        direction_of<dim>(parts.mesh, patch, parts.shape.free(patch.node),
+                                          faces ? Vector<dim>(-*approach) : patch.initial_normal),
+                        shape);
   }
   return shape;
 }

@@ -201,7 +201,8 @@ template <int dim>
 void require_gross_sliding(const Scene& scene, const CyclicMotion<dim>& cycle,
                            const AssemblyParts<dim>& parts) {
   constexpr double negligible = 0.05;  // noise of a measured motion
-  const double nu = parts.bodies.front().material.poisson_ratio;
+  double nu = 0;  // the largest: which of bonded bodies shears is not known here
+  for (const Body& body : parts.bodies) nu = std::max(nu, body.material.poisson_ratio);
   const double shear =
       parts.interface.friction * (2 - nu) / (2 * (1 - nu)) * parts.scales.displacement;
   double path = 0, short_path = 0, shortest = std::numeric_limits<double>::infinity();

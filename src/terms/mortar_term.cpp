@@ -278,7 +278,8 @@ void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& fac
     const Side& side = sides_[facet.sides[a]];
     const SideState& slave = state.sides[facet.sides[a]];
     if (slave.active) matrix.add_slave(a, patch(side).initial_area);
-    if (state_.path) matrix.add_place(a, slave.area, slave.covering / slave.area, labels);
+    if (state_.path && slave.area > 0)
+      matrix.add_place(a, slave.area, slave.covering / slave.area, labels);
     if (slave.direction)
       matrix.add_slave_wear(a, weight(side) * slave.direction->value, slave.rate.value,
                             slave.rate_by_pressure, slave.rate_by_speed);
