@@ -73,7 +73,6 @@ public:
     return result;
   }
   long columns() const { return G_.cols(); }
-  std::size_t points() const { return nodes_.size(); }
 
 private:
   std::vector<NodeUnknowns> nodes_;

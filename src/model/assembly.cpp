@@ -93,6 +93,15 @@ NodalField<dim> pull_of(const SpringSupport<dim>& springs, const AssemblyParts<d
 }
 
 template <int dim>
+NodalField<dim> forces_of(const Load<dim>& load, const AssemblyParts<dim>& parts) {
+  NodalField<dim> forces = load.forces;
+  if (forces.size() == 0) forces.setZero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim);
+  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
+    forces.row(patch.node) -= load.pressure * patch.initial_area * patch.initial_normal.transpose();
+  return forces;
+}
+
+template <int dim>
 std::vector<typename Mesh<dim>::Facet> facets_of(const std::vector<Surface<dim>>& surfaces) {
   std::vector<typename Mesh<dim>::Facet> facets;
   for (const Surface<dim>& surface : surfaces)
@@ -146,7 +155,9 @@ NodalFlags<2> held_on_axis(const Mesh<2>& mesh) {
 
 template struct Assembly<2>;
 template struct Assembly<3>;
+template NodalField<2> forces_of(const Load<2>&, const AssemblyParts<2>&);
 template NodalField<2> pull_of(const SpringSupport<2>&, const AssemblyParts<2>&);
+template NodalField<3> forces_of(const Load<3>&, const AssemblyParts<3>&);
 template NodalField<3> pull_of(const SpringSupport<3>&, const AssemblyParts<3>&);
 template std::vector<Mesh<2>::Facet> facets_of(const std::vector<Surface<2>>&);
 template std::vector<Mesh<3>::Facet> facets_of(const std::vector<Surface<3>>&);

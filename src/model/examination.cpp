@@ -121,7 +121,7 @@ std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
       const Vector<dim> u =
           values.vector(equations.fields(p).u).row(assembly.contact_nodes[c].node).transpose();
       Vector<dim> n = node.normal;
-      if (n.isZero(0)) n = assembly.contact_nodes[c].initial_normal.normalized();  // of a master
+      if (n.isZero(0)) n = assembly.contact_nodes[c].initial_normal;  // of a master
       const Vector<dim> along = u - n * n.dot(u);
       low = low.cwiseMin(along);
       high = high.cwiseMax(along);

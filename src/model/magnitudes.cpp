@@ -110,14 +110,9 @@ GapProfile gaps_of(const AssemblyParts<dim>& parts, const Patches<dim>& patches)
   return {gaps, areas};
 }
 
-/// The force of a load at factor one on the unworn bodies.
 template <int dim>
 Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts) {
-  if (load.forces.size() > 0) return load.forces.colwise().sum().transpose();
-  Vector<dim> sum = Vector<dim>::Zero();
-  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
-    sum -= load.pressure * patch.initial_area * patch.initial_normal;
-  return sum;
+  return forces_of(load, parts).colwise().sum().transpose();
 }
 
 /// All loads together along the approach of the counter-body, at factor one, or, where they cancel

@@ -55,18 +55,13 @@ Vector<dim> displacement_of_loads(const Assembly<dim>& assembly, const std::vect
                                   int part, const NodalField<dim>& u) {
   Vector<dim> sum = Vector<dim>::Zero();
   double whole = 0;
-  const auto take = [&](Eigen::Index node, double force) {
-    if (parts[static_cast<std::size_t>(node)] != part) return;
-    sum += force * u.row(node).transpose();
-    whole += force;
-  };
   for (const SwingingLoad<dim>& swinging : assembly.swinging_loads) {
-    const Load<dim>& load = swinging.load;
-    for (Eigen::Index node = 0; node < load.forces.rows(); ++node)
-      take(node, load.forces.row(node).norm());
-    for (const auto& patch :
-         contact_patches<dim>(assembly.mesh, load.facets, {}, assembly.section()))
-      if (load.forces.size() == 0) take(patch.node, std::abs(load.pressure) * patch.initial_area);
+    const NodalField<dim> forces = forces_of<dim>(swinging.load, assembly);
+    for (Eigen::Index node = 0; node < forces.rows(); ++node) {
+      if (parts[static_cast<std::size_t>(node)] != part) continue;
+      sum += forces.row(node).norm() * u.row(node).transpose();
+      whole += forces.row(node).norm();
+    }
   }
   return whole > 0 ? Vector<dim>(sum / whole) : sum;
 }

@@ -1,10 +1,10 @@
 #include "model/thickness.hpp"
 
-#include <Eigen/LU>
-#include <array>
+#include <algorithm>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <limits>
 
+#include "mesh/crossing.hpp"
 #include "mesh/facet_bins.hpp"
 #include "mesh/facet_table.hpp"
 #include "model/connected_parts.hpp"
@@ -12,9 +12,6 @@
 namespace gnomon {
 
 namespace {
-
-template <int dim>
-using Simplex = std::array<Vector<dim>, dim>;
 
 /// The facets around the cells of a body, those of its bonds among them.
 template <int dim>
@@ -30,36 +27,6 @@ std::vector<typename Mesh<dim>::Facet> boundary_of(const Assembly<dim>& assembly
       result.push_back(facets.facet(slot));
   }
   return result;
-}
-
-template <int dim>
-std::vector<Simplex<dim>> simplices_of(const Mesh<dim>& mesh,
-                                       const typename Mesh<dim>::Facet& facet) {
-  const auto at = [&](int a) { return mesh.nodes[static_cast<std::size_t>(facet[a])]; };
-  if constexpr (dim == 2)
-    return {{at(0), at(1)}};
-  else
-    return {{at(0), at(1), at(2)}, {at(0), at(2), at(3)}};
-}
-
-/// How far from a point along a unit vector; infinite where it misses.
-template <int dim>
-double distance_to(const Simplex<dim>& simplex, const Vector<dim>& from, const Vector<dim>& along) {
-  constexpr double far = std::numeric_limits<double>::infinity(), rounding = 1e-9;
-  Tensor<dim> M;  // from + t along = corner_0 + sum of shares times edges
-  for (int k = 1; k < dim; ++k) M.col(k - 1) = simplex[std::size_t(k)] - simplex[0];
-  M.col(dim - 1) = -along;
-  double size = 1;
-  for (int k = 0; k < dim - 1; ++k) size *= M.col(k).norm();
-  if (std::abs(M.determinant()) <= rounding * size) return far;
-  const Vector<dim> found = M.inverse() * (from - simplex[0]);
-  double rest = 1;
-  for (int k = 0; k < dim - 1; ++k) {
-    if (found[k] < -rounding) return far;
-    rest -= found[k];
-  }
-  const double edge = M.col(0).norm();
-  return rest >= -rounding && found[dim - 1] > 1e-6 * edge ? found[dim - 1] : far;
 }
 
 }  // namespace
@@ -81,10 +48,16 @@ std::vector<double> thickness_behind(const Assembly<dim>& assembly) {
       if (body_of[static_cast<std::size_t>(patch.node)] != body ||
           !assembly.wears(static_cast<int>(c)))
         continue;
-      const Vector<dim> from = patch.initial_position, along = -patch.initial_normal.normalized();
+      const Vector<dim> from = patch.initial_position, along = -patch.initial_normal;
       for (const int facet : bins.near_line(from, along, far, radius))
-        for (const auto& simplex : simplices_of<dim>(mesh, boundary[std::size_t(facet)]))
-          result[c] = std::min(result[c], distance_to<dim>(simplex, from, along));
+        for (const auto& simplex : simplices<dim>(boundary[static_cast<std::size_t>(facet)])) {
+          const Crossing<dim> crossing(from, along, simplex, mesh.nodes);
+          const double edge = (mesh.nodes[static_cast<std::size_t>(simplex[1])] -
+                               mesh.nodes[static_cast<std::size_t>(simplex[0])])
+                                  .norm();
+          if (crossing.shares.minCoeff() >= -rounding && crossing.distance > 1e-6 * edge)
+            result[c] = std::min(result[c], crossing.distance);
+        }
     }
   }
   return result;

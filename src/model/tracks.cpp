@@ -71,7 +71,7 @@ SharedShape shared_shape(const AssemblyParts<dim>& parts,
   std::vector<Vector<dim>> area(parts.mesh.nodes.size(), Vector<dim>::Zero());
   std::vector<double> weight(parts.mesh.nodes.size(), 1);
   for (const ContactPatch<dim>& patch : patches)
-    area[patch.node] = patch.initial_area * patch.initial_normal.normalized();
+    area[patch.node] = patch.initial_area * patch.initial_normal;
   for (const auto& [nodes, part] : lines) {
     Vector<dim> sum = Vector<dim>::Zero();
     for (const int node : nodes) sum += area[node];

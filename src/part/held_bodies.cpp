@@ -36,14 +36,11 @@ using NodesOfPart = std::vector<char>;
 template <int dim>
 double work_of(const Load<dim>& load, const AssemblyParts<dim>& parts, const NodesOfPart& part,
                const RigidMotionOfPoints<dim>& motion) {
+  const NodalField<dim> forces = forces_of(load, parts);
   double work = 0;
-  for (std::size_t node = 0; node < static_cast<std::size_t>(load.forces.rows()); ++node)
+  for (std::size_t node = 0; node < part.size(); ++node)
     if (part[node])
-      work += load.forces.row(static_cast<Eigen::Index>(node)).dot(motion(parts.mesh.nodes[node]));
-  for (const auto& patch : contact_patches<dim>(parts.mesh, load.facets, {}, parts.section()))
-    if (part[patch.node])
-      work -= load.pressure * patch.initial_area *
-              patch.initial_normal.dot(motion(patch.initial_position));
+      work += forces.row(static_cast<Eigen::Index>(node)).dot(motion(parts.mesh.nodes[node]));
   return work;
 }
 

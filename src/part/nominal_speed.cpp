@@ -93,7 +93,7 @@ struct Place {
 
 template <int dim>
 Place<dim> place_of(const ContactPatch<dim>& patch) {
-  return {patch.initial_position, patch.initial_normal.normalized()};
+  return {patch.initial_position, patch.initial_normal};
 }
 
 /// |v_T| of the counter-body's surface at a place, its mean over the instants.

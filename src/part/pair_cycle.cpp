@@ -111,7 +111,7 @@ double mean_sliding_speed(const std::vector<RigidMotion<dim>>& motions,
   double speed = 0;
   for (RigidMotion<dim> at : motions) {
     at.reference = patch.initial_position;
-    at.normal = patch.initial_normal.normalized();
+    at.normal = patch.initial_normal;
     speed += at.nominal_speed(Vector<dim>::Zero()) / static_cast<double>(motions.size());
   }
   return speed;
@@ -136,7 +136,7 @@ void choose_sliding_point(const AssemblyParts<dim>& parts, CyclicMotion<dim>& mo
       speeds.begin());
   motion.sliding = pair.numbers;
   motion.point = patches[chosen].initial_position;
-  motion.normal = patches[chosen].initial_normal.normalized();
+  motion.normal = patches[chosen].initial_normal;
 }
 
 }  // namespace

@@ -166,19 +166,16 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
       body_of_nodes(parts.mesh, body_of_cells(parts.bodies, parts.mesh.cells.size()));
   std::array<Vector<dim>, 2> load = {Vector<dim>::Zero(), Vector<dim>::Zero()};
   std::array<Vector<dim>, 2> held = load;
+  NodalField<dim> forces =
+      NodalField<dim>::Zero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim);
+  for (const Load<dim>& each : parts.loads) forces += forces_of(each, parts);
   for (std::size_t node = 0; node < body_of.size(); ++node)
     for (std::size_t side = 0; side < 2; ++side) {
       if (body_of[node] != bodies[side]) continue;
       const auto row = static_cast<Eigen::Index>(node);
       for (int i = 0; i < dim; ++i) held[side][i] += parts.supports.held(row, i);
-      for (const Load<dim>& each : parts.loads)
-        if (each.forces.size() > 0) load[side] += each.forces.row(row).transpose();
+      load[side] += forces.row(row).transpose();
     }
-  for (const Load<dim>& each : parts.loads)
-    for (const auto& patch : contact_patches<dim>(parts.mesh, each.facets, {}, parts.section()))
-      for (std::size_t side = 0; each.forces.size() == 0 && side < 2; ++side)
-        if (body_of[patch.node] == bodies[side])
-          load[side] -= each.pressure * patch.initial_area * patch.initial_normal;
   for (std::size_t side = 0; side < 2; ++side) {
     // A load along directions that supports hold does not press.
     const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
@@ -201,8 +198,6 @@ double speed_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts) {
   }
   return area > 0 ? sum / area : 0;
 }
-
-}  // namespace
 
 /// A body that moves slides on another one.
 void require_moving_pairs(const Scene& scene) {
@@ -294,6 +289,8 @@ double overlap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x
     }
   return std::isfinite(least) ? std::max(0.0, least) : 0;
 }
+
+}  // namespace
 
 template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {

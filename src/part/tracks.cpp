@@ -65,7 +65,7 @@ void require_motion_along(const Scene& scene, const Surface<dim>& surface, const
   if (lines.centre) return;
   double across = 0, area = 0;
   for (const auto& patch : contact_patches<dim>(mesh, surface.facets)) {
-    across += patch.initial_area * std::abs(patch.initial_normal.normalized().dot(lines.along));
+    across += patch.initial_area * std::abs(patch.initial_normal.dot(lines.along));
     area += patch.initial_area;
   }
   if (across > steep * area)

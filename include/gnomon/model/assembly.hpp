@@ -259,6 +259,10 @@ struct Assembly : AssemblyParts<dim> {
 template <int dim>
 NodalField<dim> pull_of(const SpringSupport<dim>& springs, const AssemblyParts<dim>& parts);
 
+/// The forces of a load at factor one on the unworn bodies, nodes x dim [force].
+template <int dim>
+NodalField<dim> forces_of(const Load<dim>& load, const AssemblyParts<dim>& parts);
+
 /// Of all surfaces, one after the other.
 template <int dim>
 std::vector<typename Mesh<dim>::Facet> facets_of(const std::vector<Surface<dim>>& surfaces);
