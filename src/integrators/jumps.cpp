@@ -88,9 +88,10 @@ bool pass_breakpoint(const System& system, Counters& counters, const ActiveSet* 
   state.branch.clear();
   const std::string reason = AlgebraicSolver(system, counters).solve(state.t, state.y);
   if (!reason.empty())
-    throw SolutionError(fmt::format(
-        "the load jumps at t = {:.6g} s, and behind the jump there is no equilibrium: {}", state.t,
-        reason));
+    throw SolutionError(
+        fmt::format("loads, friction or wear law jump at t = {:.6g} s, and behind the jump there "
+                    "is no equilibrium: {}",
+                    state.t, reason));
   set_rates(system, nullptr, state);
   return true;
 }

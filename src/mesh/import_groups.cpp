@@ -49,7 +49,10 @@ std::string fault_of(const Found& found, const MeshGroup& group, const ElementLi
         group.members.size(), what, list.tags[first]);
   };
   if (found.missing > 0) return text(found.missing, "are no sides of cells", found.first_missing);
-  if (found.inside > 0) return text(found.inside, "lie inside the body", found.first_inside);
+  if (found.inside > 0)
+    return text(found.inside,
+                "lie inside the body, or its nodes coincide with those of another side",
+                found.first_inside);
   return {};
 }
 

@@ -49,43 +49,42 @@ Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase
   return carried_by(motion, assembly.interface.partner, phase, motion.point);
 }
 
-/// Mean displacement of the nodes of swinging loads on one connected part, by the forces at them.
-template <int dim>
-Vector<dim> displacement_of_loads(const Assembly<dim>& assembly, const std::vector<int>& parts,
-                                  int part, const NodalField<dim>& u) {
-  Vector<dim> sum = Vector<dim>::Zero();
-  double whole = 0;
-  for (const SwingingLoad<dim>& swinging : assembly.swinging_loads) {
-    const NodalField<dim> forces = forces_of<dim>(swinging.load, assembly);
-    for (Eigen::Index node = 0; node < forces.rows(); ++node) {
-      if (parts[static_cast<std::size_t>(node)] != part) continue;
-      sum += forces.row(node).norm() * u.row(node).transpose();
-      whole += forces.row(node).norm();
-    }
-  }
-  return whole > 0 ? Vector<dim>(sum / whole) : sum;
-}
-
 }  // namespace
 
-/// Where loads alone drive the bodies, the place of the partner is that of what they move.
+/// Where swinging loads alone drive the bodies, these and the mean displacement of their nodes, so
+/// that the loop encloses their work; as forces on the partner where they act on the slave's part.
 template <int dim>
-void WearModel<dim>::follow_loads(const FieldValues<dim>& values,
+void WearModel<dim>::follow_loads(const FieldValues<dim>& values, double t,
                                   std::vector<PlaceAndForce<dim>>& loop) const {
-  const auto stays = [&](const PlaceAndForce<dim>& at) { return at.place == loop.front().place; };
+  constexpr double rounding = 1e-6;
+  const Vector<dim>& normal = assembly().pairs.empty() ? assembly().interface.partner.approach
+                                                       : assembly().pairs.front().approach;
+  const auto stays = [&](const PlaceAndForce<dim>& at) {
+    const Vector<dim> moved = at.place - loop.front().place;
+    return (moved - normal * normal.dot(moved)).norm() <= rounding * assembly().scales.displacement;
+  };
   if (assembly().swinging_loads.empty() || !std::ranges::all_of(loop, stays)) return;
   const std::vector<int> parts = connected_parts(assembly().mesh);
-  const int contact = assembly().contact_nodes.front().node;
-  const bool pairs = !assembly().pairs.empty();
-  const int slave = pairs ? assembly().pairs.front().slave.front()[0] : contact,
-            master = pairs ? assembly().pairs.front().master.front()[0] : contact;
-  const auto part_of = [&](int node) { return parts[static_cast<std::size_t>(node)]; };
-  for (std::size_t p = 0; p < loop.size(); ++p) {
-    const NodalField<dim> u = values.vector(equations_.fields(p).u);
-    loop[p].place -= displacement_of_loads<dim>(assembly(), parts, part_of(slave), u);
-    if (part_of(master) != part_of(slave))
-      loop[p].place += displacement_of_loads<dim>(assembly(), parts, part_of(master), u);
+  const int slave = parts[static_cast<std::size_t>(
+      assembly().pairs.empty() ? assembly().contact_nodes.front().node
+                               : assembly().pairs.front().slave.front()[0])];
+  for (PlaceAndForce<dim>& at : loop) at.place.setZero(), at.force.setZero();
+  double whole = 0;
+  for (const SwingingLoad<dim>& swinging : assembly().swinging_loads) {
+    const NodalField<dim> forces = forces_of<dim>(swinging.load, assembly());
+    Eigen::VectorXd sizes = forces.rowwise().norm();
+    for (Eigen::Index node = 0; node < sizes.size(); ++node)
+      if (parts[static_cast<std::size_t>(node)] == slave) sizes[node] *= -1;
+    whole += forces.rowwise().norm().sum();
+    const double sign = sizes.sum() < 0 ? -1 : 1;
+    for (std::size_t p = 0; p < loop.size(); ++p) {
+      loop[p].force += assembly().copies * sign * swinging.load.history.factor(t) *
+                       swinging.factor_in(equations_.phases()[p]) *
+                       forces.colwise().sum().transpose();
+      loop[p].place += values.vector(equations_.fields(p).u).transpose() * sizes;
+    }
   }
+  for (PlaceAndForce<dim>& at : loop) at.place /= whole;
 }
 
 template <int dim>
@@ -111,8 +110,9 @@ std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
     PlaceAndForce<dim>& point = result.emplace_back();
     point.place = place_in_loop(assembly(), phase);
     for (std::size_t c = 0; c < counts.size(); ++c)
-      if (counts[c]) point.force -= assembly().copies * phases[p].nodes[c].force;
-    for (int i = 0; i < dim; ++i) point.force[i] = sum_over_processes(point.force[i]);
+      if (counts[c]) point.contact -= assembly().copies * phases[p].nodes[c].force;
+    for (int i = 0; i < dim; ++i) point.contact[i] = sum_over_processes(point.contact[i]);
+    point.force = point.contact;
     const PartnerMotion<> q = equations_.partner_motion(values, t, p);
     for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
       point.place += q[static_cast<Eigen::Index>(k)] * phase.counter_body.guides[k].along;
@@ -130,7 +130,7 @@ std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
     }
     point.moment = sum_over_processes(point.moment);
   }
-  follow_loads(values, result);
+  follow_loads(values, t, result);
   return result;
 }
 
@@ -174,7 +174,7 @@ void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<
   const auto along = [&](const Vector<dim>& v) { return (v - normal * normal.dot(v)).norm(); };
   double stroke = 0, force = 0, twist = 0, moment = 0;
   for (const PlaceAndForce<dim>& at : loop) {
-    force = std::max(force, along(at.force));
+    force = std::max(force, along(at.contact));
     moment = std::max(moment, std::abs(at.moment));
     for (const PlaceAndForce<dim>& other : loop) {
       stroke = std::max(stroke, along(at.place - other.place));
@@ -202,9 +202,9 @@ template void observe_path(const Assembly<2>&, const std::vector<PhaseContact<2>
                            const std::vector<PlaceAndForce<2>>&, int, Observation&);
 template void observe_path(const Assembly<3>&, const std::vector<PhaseContact<3>>&,
                            const std::vector<PlaceAndForce<3>>&, int, Observation&);
-template void WearModel<2>::follow_loads(const FieldValues<2>&,
+template void WearModel<2>::follow_loads(const FieldValues<2>&, double,
                                          std::vector<PlaceAndForce<2>>&) const;
-template void WearModel<3>::follow_loads(const FieldValues<3>&,
+template void WearModel<3>::follow_loads(const FieldValues<3>&, double,
                                          std::vector<PlaceAndForce<3>>&) const;
 template std::vector<PlaceAndForce<2>> WearModel<2>::loop(
     const FieldValues<2>&, double, const std::vector<PhaseContact<2>>&) const;

@@ -228,13 +228,13 @@ void read_press(const Scene& scene, Section section, CounterBody<dim>& body) {
   for (const std::string& press : press_tables(scene))
     body.guides.push_back(read_guide<dim>(scene, press, section));
   if (body.guides.empty()) return;
-  // Forces first, then what is given, then what is held.
-  const auto rank = [](const Guide<dim>& guide) {
-    return std::pair(guide.turns()  ? 1
-                     : guide.force  ? 0
-                     : guide.travel ? 2
-                                    : 3,
-                     -guide.force.value_or(0));
+  // Forces first, those that swing after others, then what is given, then what is held.
+  const auto rank = [&scene](const Guide<dim>& guide) {
+    return std::tuple(guide.turns()  ? 1
+                      : guide.force  ? 0
+                      : guide.travel ? 2
+                                     : 3,
+                      scene.given(guide.key + ".cycle"), -guide.force.value_or(0));
   };
   std::ranges::stable_sort(body.guides, {}, rank);
   // It does not come near along a force that swings beside the one that presses it.

@@ -79,6 +79,19 @@ pressure = 0.05
 cycle = "cos(2*pi*tau)"
 )toml";
 
+/// Work of the force along the loop of a path with 8 phases.
+double enclosed_by_loop(const ContactSurface& surface) {
+  constexpr std::size_t phases = 8, values = 4;
+  const auto at = [&](std::size_t phase, std::size_t value) {
+    return surface.phase_loop[values * (phase % phases) + value];
+  };
+  double work = 0;
+  for (std::size_t p = 0; p < phases; ++p)
+    for (std::size_t i = 0; i < 2; ++i)
+      work += (at(p, 2 + i) + at(p + 1, 2 + i)) / 2 * (at(p + 1, i) - at(p, i));
+  return work;
+}
+
 class SelfContact : public PartScenes {
 protected:
   std::string fork() const {
@@ -156,6 +169,7 @@ TEST_F(SelfContact, TheArmsOfAForkFretOnEachOther) {
     const double work = observed(*model, run.last(), "friction_work"),
                  flux = observed(*model, run.last(), "wear_flux");
     EXPECT_NEAR(flux / (2 * 1e-5 * work / 0.2), 1, 1e-6);
+    EXPECT_NEAR(enclosed_by_loop(model->contact(run.last()).value()) / work, 1, 0.06);
     return observed(*model, run.last(), name);
   };
   const double whole = worn(fork(), "worn_volume");

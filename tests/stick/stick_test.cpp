@@ -384,6 +384,20 @@ TEST_F(Fretting, APathMayBeginAtItsLargestForce) {
   EXPECT_NEAR(flux[1] / flux[0], 1, 1e-3);
 }
 
+/// The force that swings may have the larger number, and a small factor.
+TEST_F(Fretting, TheSwingingForceIsNotTheOneThatPresses) {
+  std::vector<double> work;
+  for (const auto& set : {std::vector<std::string>{},
+                          {fmt::format("counter_body.press.2.force={}",
+                                       100 * Cattaneo::ratio * Cattaneo::f * Cattaneo::P),
+                           "counter_body.press.2.cycle=\"0.01*sin(2*pi*tau)\""}}) {
+    const auto model = this->model(cylinder(), set);
+    Counters counters;
+    work.push_back(observed(*model, model->start(counters), "friction_work"));
+  }
+  EXPECT_NEAR(work[1] / work[0], 1, 1e-6);
+}
+
 /// Friction alone holds a plane along itself.
 TEST_F(Fretting, APlaneMayBeDrivenByAForce) {
   std::string text = bed("x = \"0\"");

@@ -30,10 +30,11 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
 /// turns also its angle, and the moment about its axis.
 template <int dim>
 struct PlaceAndForce {
-  Vector<dim> place = Vector<dim>::Zero();  ///< [length]
-  Vector<dim> force = Vector<dim>::Zero();
-  double angle = 0;   ///< [rad]
-  double moment = 0;  ///< [force length]
+  Vector<dim> place = Vector<dim>::Zero();    ///< [length]
+  Vector<dim> force = Vector<dim>::Zero();    ///< that moves it there
+  Vector<dim> contact = Vector<dim>::Zero();  ///< what the contact carries of it
+  double angle = 0;                           ///< [rad]
+  double moment = 0;                          ///< [force length]
 };
 
 /// The axis about which the counter-body turns over a path; none of pairs, or where it does not.
@@ -108,7 +109,8 @@ private:
   /// By phase of a path.
   std::vector<PlaceAndForce<dim>> loop(const FieldValues<dim>& values, double t,
                                        const std::vector<PhaseContact<dim>>& phases) const;
-  void follow_loads(const FieldValues<dim>& values, std::vector<PlaceAndForce<dim>>& loop) const;
+  void follow_loads(const FieldValues<dim>& values, double t,
+                    std::vector<PlaceAndForce<dim>>& loop) const;
   /// Of all fields at a state, also of displacements that are condensed.
   FieldValues<dim> values(const State& state) const;
   /// The contact law at every contact node, phase by phase; on the state's own smooth branch.
