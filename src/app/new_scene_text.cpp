@@ -7,6 +7,7 @@
 #include <cmath>
 #include <gnomon/mesh/contact_patch.hpp>
 #include <gnomon/mesh/flat_part.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
 #include <limits>
 
 #include "scene/toml_text.hpp"
@@ -117,6 +118,8 @@ std::string scene_head(const std::string& title, const std::filesystem::path& me
   if (!points.empty())
     text += fmt::format("# groups of points, for supports: {}\n", fmt::join(points, ", "));
   if (size) text += fmt::format("size = {}  # mm, longest edge of an element\n", *size);
+  if (is_geometry(mesh))
+    text += "# contact_size = ...  # mm, edge of the elements where the bodies touch\n";
   if (dim == 2)
     text += "\n[model]\nplane = \"strain\"  # or \"axisymmetric\", in coordinates (r, z)\n";
   return text;
