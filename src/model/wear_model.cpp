@@ -118,47 +118,45 @@ double wear_flux_of(const std::vector<PhaseContact<dim>>& phases, double copies)
   return sum_over_processes(flux);
 }
 
-/// The part of an observation that needs a sweep over the cells, but no displacements.
+/// The part of an observation that needs a sweep over the cells, but no displacements. Returns what
+/// each body has lost of the mesh [length^dim].
 template <int dim>
-void observe_cells(const Assembly<dim>& body, const NodalField<dim>& d, double wear_flux, int units,
-                   Observation& observed) {
-  double worn = 0, quality = 1, least = 1;
-  for (const auto& cell : body.mesh.cells) {
+std::vector<double> observe_cells(const Assembly<dim>& body, const NodalField<dim>& d,
+                                  double wear_flux, int units, Observation& observed) {
+  double quality = 1, least = 1, whole = 0;
+  std::vector<double> worn = worn_beyond_mesh(body, d);
+  for (std::size_t c = 0; c < body.mesh.cells.size(); ++c) {
+    const auto& cell = body.mesh.cells[c];
     const CellNodal<dim> initial = body.mesh.positions(cell),
                          X = worn_positions<dim>(initial, cell, d);
     const double before = cell_volume<dim>(initial, body.section()),
                  after = cell_volume<dim>(X, body.section());
-    worn += before - after;
+    worn[static_cast<std::size_t>(body.body_of[c])] += before - after;
     if (!body.shape.gap) least = std::min(least, after / before);
     quality = std::min(quality, scaled_jacobian<dim>(body.shape.gap ? initial : X));
   }
-  for (const double beyond : worn_beyond_mesh(body, d)) worn += beyond;
-  worn = sum_over_processes(worn) * body.copies;
+  for (double& volume : worn) {
+    volume = sum_over_processes(volume) * body.copies;
+    whole += volume;
+  }
   const auto& groove = body.cross_section;
-  const double volume = groove ? worn * groove->path / groove->length : worn;
+  const double volume = groove ? whole * groove->path / groove->length : whole;
   observed.push_back(common("worn_volume", volume, units));
   observed.push_back(common("wear_flux", wear_flux, units));
   observed.push_back(common("element_quality", -largest_over_processes(-quality)));
   observed.push_back(common("element_volume", -largest_over_processes(-least)));
-  if (groove) observed.push_back(common("groove_section", worn / groove->length));
+  if (groove) observed.push_back(common("groove_section", whole / groove->length));
+  return worn;
 }
 
 /// What each body of pairs has lost, and loses, with the whole of its tracks: "worn_volume_pin",
 /// "wear_flux_pin".
 template <int dim>
-void observe_bodies(const Assembly<dim>& body, const NodalField<dim>& d,
+void observe_bodies(const Assembly<dim>& body, const std::vector<double>& worn,
                     const std::vector<PhaseContact<dim>>& phases, int units,
                     Observation& observed) {
-  std::vector<double> worn = worn_beyond_mesh(body, d), flux(body.bodies.size(), 0);
-  for (double& beyond : worn) beyond *= body.copies;
+  std::vector<double> flux(worn.size(), 0);
   const std::vector<int> owner = body_of_nodes(body.mesh, body.body_of);
-  for (std::size_t c = 0; c < body.mesh.cells.size(); ++c) {
-    const auto& cell = body.mesh.cells[c];
-    const CellNodal<dim> initial = body.mesh.positions(cell);
-    worn[body.body_of[c]] +=
-        body.copies * (cell_volume<dim>(initial, body.section()) -
-                       cell_volume<dim>(worn_positions<dim>(initial, cell, d), body.section()));
-  }
   for (const auto& [weight, nodes] : phases)
     for (std::size_t c = 0; c < nodes.size(); ++c)
       flux[owner[body.contact_nodes[c].node]] +=
@@ -166,7 +164,7 @@ void observe_bodies(const Assembly<dim>& body, const NodalField<dim>& d,
   const std::string volume = common("worn_volume", 0, units).unit,
                     rate = common("wear_flux", 0, units).unit;
   for (std::size_t b = 0; b < worn.size(); ++b) {
-    observed.push_back({"worn_volume_" + body.bodies[b].name, volume, sum_over_processes(worn[b])});
+    observed.push_back({"worn_volume_" + body.bodies[b].name, volume, worn[b]});
     observed.push_back({"wear_flux_" + body.bodies[b].name, rate, sum_over_processes(flux[b])});
   }
 }
@@ -301,8 +299,9 @@ Observation WearModel<dim>::observe(const State& state) const {
   }
   Observation observed;
   observe_contact(phases, assembly(), units, observed);
-  observe_cells(assembly(), d, wear_flux_of(phases, assembly().copies), units, observed);
-  if (!assembly().pairs.empty()) observe_bodies(assembly(), d, phases, units, observed);
+  const std::vector<double> lost =
+      observe_cells(assembly(), d, wear_flux_of(phases, assembly().copies), units, observed);
+  if (!assembly().pairs.empty()) observe_bodies(assembly(), lost, phases, units, observed);
   if (approach) observed.push_back(common("approach", *approach));
   if (gradient) observed.push_back(common("displacement_gradient", *gradient));
   // Several pairs have ends of their own.
