@@ -112,6 +112,7 @@ double mean_edge(const ImportedMesh& mesh, const FineZone& fine) {
   return count > 0 ? sum / count : 0;
 }
 
+/// What `check` and `run` print of the mesh.
 std::string told(const ImportedMesh& mesh, const FineZone& fine, double factor) {
   constexpr double much = 1.7;
   const double edge = mean_edge(mesh, fine), wanted = fine.size * factor;
@@ -132,12 +133,13 @@ ImportedMesh read_graded_mesh(const Scene& scene) {
                      ": expected a geometry (.geo, .step or .stp), which gnomon meshes");
   ImportedMesh mesh = read_mesh(scene);
   if (!scene.given(size_key)) return mesh;
-  constexpr double finer =
-      6;  // a mesh says where the next one is fine only as well as it is itself
+  // A mesh says where the next one has to be fine only as well as it is fine itself.
+  constexpr double finer = 6;
   const double asked = scene.real(size_key);
   FineZone fine;
   for (int pass = 0; pass < 2 || fine.size > asked; ++pass) {
     fine.balls = zone_of(scene, mesh);
+    if (fine.balls.empty()) return mesh;
     fine.size = std::max(asked, pass == 0 ? extent_of(fine) / across : fine.size / finer);
     fine.balls = merged(fine.balls, fine.size);
     require_moderate_number(scene, extent_of(fine), mesh.dimension);
@@ -155,12 +157,13 @@ std::optional<Scene> with_contact_size(const Scene& scene) {
   if (has_sizes) return {};
   ImportedMesh mesh = read_mesh(scene);
   FineZone fine{.balls = zone_of(scene, mesh)};
-  for (int pass = 0; pass < 2; ++pass) {
+  for (int pass = 0; pass < 2 && !fine.balls.empty(); ++pass) {
     fine.size = extent_of(fine) / across;
     fine.balls = merged(fine.balls, fine.size);
     mesh = read_mesh(scene, fine);
     fine.balls = zone_of(scene, mesh);
   }
+  if (fine.balls.empty()) return {};
   const double size = extent_of(fine) / across, digit = std::pow(10, std::floor(std::log10(size)));
   return scene.with(size_key, std::round(10 * size / digit) * digit / 10);
 }
