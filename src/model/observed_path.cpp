@@ -1,7 +1,7 @@
-// What a path shows beside other cycles: friction, slip and the fretting loop.
+#include "model/observed_path.hpp"
+
 #include <algorithm>
 #include <gnomon/base/processes.hpp>
-#include <gnomon/model/wear_model.hpp>
 
 #include "mesh/facet_table.hpp"
 #include "model/connected_parts.hpp"

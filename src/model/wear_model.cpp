@@ -7,6 +7,7 @@
 #include <gnomon/terms/meridian_point.hpp>
 
 #include "model/connected_parts.hpp"
+#include "model/observed_path.hpp"
 #include "model/observed_rolling.hpp"
 #include "model/resultants.hpp"
 #include "model/thickness.hpp"

@@ -1,5 +1,4 @@
-// What holds a part: supports of the displacement by name, and supports of the shape, most of which
-// follow from the geometry.
+// What holds a part: supports of the displacement by name.
 #pragma once
 
 #include <algorithm>

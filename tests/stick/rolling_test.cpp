@@ -68,9 +68,9 @@ protected:
 
 // A rate that falls to zero with the sliding distance: the speed by which this counts is found.
 TEST_F(RollingScenes, ARateMayEndWithTheSlidingDistance) {
-  const auto model = this->model(
-      cylinder(),
-      {"mesh.file=coarse.geo", "wear.rate=\"k*p*v*max(1 - s/3200, 0)\"", "integrator.events=locate"});
+  const auto model =
+      this->model(cylinder(), {"mesh.file=coarse.geo", "wear.rate=\"k*p*v*max(1 - s/3200, 0)\"",
+                               "integrator.events=locate"});
   Counters counters;
   const State start = model->start(counters);
   const double flux = observed(*model, start, "wear_flux");

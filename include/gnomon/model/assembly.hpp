@@ -1,5 +1,5 @@
-// All constants of wearing bodies in contact with a rigid counter-body, as plain data: a scene, a
-// problem or a program declares them, and fields and terms are made from them.
+// All constants of wearing bodies that touch a rigid counter-body or each other, as plain data: a
+// scene, a problem or a program declares them, and fields and terms are made from them.
 #pragma once
 
 #include <algorithm>
@@ -118,7 +118,7 @@ struct LoadingStep {
   double others = 1;  ///< of forces along other guides, and of swinging loads
 };
 
-/// Contact of the bodies with a rigid partner.
+/// Contact of the bodies with a rigid counter-body, or with each other by AssemblyParts::pairs.
 template <int dim>
 struct Interface {
   /// They share no facet. A node of two of them wears by the law of the first.

@@ -16,16 +16,6 @@ struct PhaseContact {
   std::vector<ContactNode<dim>> nodes;
 };
 
-/// What the slip of a path makes in a cycle, of the whole body.
-struct CycleOfSlip {
-  double work = 0;  ///< of friction, at the mean pressure of neighbouring phases [force length]
-  double path = 0;  ///< the longest of a node [length]
-  double stick_area = 0;  ///< of nodes that touch and slip by less than 1e-3 of it [length^(dim-1)]
-};
-template <int dim>
-CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
-                          const std::vector<PhaseContact<dim>>& phases);
-
 /// Where the partner is in a phase of a path, and the force that moves it; of a counter-body that
 /// turns also its angle, and the moment about its axis.
 template <int dim>
@@ -36,26 +26,6 @@ struct PlaceAndForce {
   double angle = 0;                           ///< [rad]
   double moment = 0;                          ///< [force length]
 };
-
-/// The axis about which the counter-body turns over a path; none of pairs, or where it does not.
-template <int dim>
-struct AxisOfPath {
-  Tensor<dim> spin;    ///< of the rate one
-  Vector<dim> centre;  ///< in the coordinates of the shape [length]
-};
-template <int dim>
-std::optional<AxisOfPath<dim>> axis_of_path(const Assembly<dim>& assembly);
-
-/// Appends friction_work, slip_path, stick_area, stroke and friction_force, and where the
-/// counter-body turns twist and friction_moment. `units`: the dimension
-/// that they have.
-template <int dim>
-void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<dim>>& phases,
-                  const std::vector<PlaceAndForce<dim>>& loop, int units, Observation& observed);
-
-/// Appends traction and slip of the contact nodes in a phase, or in rolling.
-template <int dim>
-void add_friction(const std::vector<ContactNode<dim>>& nodes, ContactSurface& surface);
 
 template <int dim>
 class Resultants;

@@ -21,7 +21,7 @@ struct WornBodyFields {
   FieldId lambda = FieldId::none;  ///< contact multiplier, contact nodes
   FieldId mu = FieldId::none;      ///< shape multiplier, contact nodes; only in that form
   FieldId w =
-      FieldId::none;  ///< rigid motion of the counter-body, a single value; only under a force
+      FieldId::none;  ///< rigid motion of the counter-body: a value for each guide that is free
   FieldId traction = FieldId::none;  ///< lambda_T, contact nodes; only where friction may stick
   FieldId place = FieldId::none;     ///< r, contact nodes; only there, in pairs
   FieldId creepage = FieldId::none;  ///< xi, of pairs that roll under a force along the contact
