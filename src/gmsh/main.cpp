@@ -155,8 +155,10 @@ std::vector<std::string> absent_members(const std::string& file) {
     const std::string absent = absent_in(list, entities_of(dimension_named(kind)));
     if (absent.empty()) continue;
     for (char& letter : kind) letter = static_cast<char>(std::tolower(letter));
-    sentences.push_back("group " + std::string((*found)[2]) + " names " + kind + " " + absent +
-                        ", which the geometry does not have");
+    std::ostringstream sentence;
+    sentence << "group " << (*found)[2] << " names " << kind << " " << absent
+             << ", which the geometry does not have";
+    sentences.push_back(sentence.str());
   }
   return sentences;
 }
