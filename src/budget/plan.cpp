@@ -29,10 +29,11 @@ public:
       if (key.controls->source == ErrorSource::mesh && is_choice) mesh_ = key;
       if (key.controls->source == ErrorSource::time && key.controls->scaled(scene, 0.1))
         time_ = key;
-      if (key.controls->source == ErrorSource::phases && !scene.is_set(key.name))
-        scene_ = key.controls->scaled(scene_, 1).value_or(scene_);
-      if (key.controls->chosen) scene_ = key.controls->chosen(scene_).value_or(scene_);
     }
+    for (const bool mesh : {false, true})  // elements by where bodies touch in the chosen phases
+      for (const Key& key : scene.controlling_keys())
+        if (key.controls->chosen && (key.controls->source == ErrorSource::mesh) == mesh)
+          scene_ = key.controls->chosen(scene_).value_or(scene_);
     trade_.free_time = time_ && !scene.is_set(time_->name);
     trade_.free_mesh = mesh_ && !scene.is_set(mesh_->name);
   }

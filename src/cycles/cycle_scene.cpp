@@ -27,6 +27,12 @@ std::optional<Scene> with_scaled_phases(const Scene& scene, double factor) {
   return with_phases(scene, static_cast<long>(count));
 }
 
+/// For a plan, where the scene does not say.
+std::optional<Scene> with_first_phases(const Scene& scene) {
+  if (scene.is_set("cycle.phases")) return {};
+  return with_scaled_phases(scene, 1);
+}
+
 std::vector<Key> make_keys() {
   return {
       real_key("cycle.period", "s", absent("no cycle"), positive_quantity,
@@ -41,7 +47,9 @@ std::vector<Key> make_keys() {
        .or_text = "auto",
        .help = "phases of a cycle: their number, their positions in [0, 1), ascending, or "
                "\"auto\": a number that fits integrator.rtol",
-       .controls = ErrorControl{ErrorSource::phases, with_scaled_phases}},
+       .controls = ErrorControl{.source = ErrorSource::phases,
+                                .scaled = with_scaled_phases,
+                                .chosen = with_first_phases}},
       cycle_function_key(
           "cycle.x", "mm",
           std::string("displacement of the counter-body along x") + cycle_function_form),
