@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "part/part_scene.hpp"
+#include "support/fretting_loop.hpp"
 
 namespace gnomon::self_contact_test {
 namespace {
@@ -79,19 +80,6 @@ pressure = 0.05
 cycle = "cos(2*pi*tau)"
 )toml";
 
-/// Work of the force along the loop of a path with 8 phases.
-double enclosed_by_loop(const ContactSurface& surface) {
-  constexpr std::size_t phases = 8, values = 4;
-  const auto at = [&](std::size_t phase, std::size_t value) {
-    return surface.phase_loop[values * (phase % phases) + value];
-  };
-  double work = 0;
-  for (std::size_t p = 0; p < phases; ++p)
-    for (std::size_t i = 0; i < 2; ++i)
-      work += (at(p, 2 + i) + at(p + 1, 2 + i)) / 2 * (at(p + 1, i) - at(p, i));
-  return work;
-}
-
 class SelfContact : public PartScenes {
 protected:
   std::string fork() const {
@@ -159,12 +147,11 @@ end = 1.0
 
 // What wears is k times the work of friction by its coefficient, and of both arms the same.
 TEST_F(SelfContact, TheArmsOfAForkFretOnEachOther) {
-  const Overrides stick = {"pair.1.friction=0.2", "pair.1.stick=true", "time.cycles=1000",
-                           "integrator.rtol=1e-4"};
-  Overrides overrides = stick;
+  const Overrides overrides = {"pair.1.friction=0.2", "pair.1.stick=true", "time.cycles=1000",
+                               "integrator.rtol=1e-4"};
   const auto worn = [&](const std::string& text, const std::string& name) {
-    std::string cycles = with(text + swinging, "[time]\nend = 1.0\n", "[time]\n");
-    const auto model = this->model(cycles, overrides);
+    const auto model =
+        this->model(with(text + swinging, "[time]\nend = 1.0\n", "[time]\n"), overrides);
     const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-4, 1000);
     const double work = observed(*model, run.last(), "friction_work"),
                  flux = observed(*model, run.last(), "wear_flux");

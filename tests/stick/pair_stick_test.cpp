@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stick/stick_scenes.hpp"
+#include "support/fretting_loop.hpp"
 #include "support/problem_run.hpp"
 #include "support/rough_state.hpp"
 #include "support/turned_bodies.hpp"
@@ -327,14 +328,10 @@ TEST_F(PairFretting, TheLoopOfASwingingLoadEnclosesTheWorkOfFriction) {
     Counters counters;
     const State start = model->start(counters);
     const ContactSurface surface = model->contact(start).value();
-    const auto at = [&](std::size_t phase, std::size_t value) {
-      return surface.phase_loop[4 * (phase % phases) + value];
-    };
-    double enclosed = 0;
-    for (std::size_t p = 0; p < phases; ++p)
-      enclosed += (at(p, 2) + at(p + 1, 2)) / 2 * (at(p + 1, 0) - at(p, 0));
-    EXPECT_NEAR(enclosed / observed(*model, start, "friction_work"), 1, 0.4 / double(phases));
-    const double range = std::abs(at(phases / 4 - 1, 0) - at(3 * phases / 4 - 1, 0));
+    EXPECT_NEAR(enclosed_by_loop(surface) / observed(*model, start, "friction_work"), 1,
+                0.4 / double(phases));
+    const double range =
+        std::abs(at_phase(surface, phases / 4 - 1, 0) - at_phase(surface, 3 * phases / 4 - 1, 0));
     EXPECT_NEAR(observed(*model, start, "stroke") / range, 1, 1e-9);
   }
 }
