@@ -9,7 +9,7 @@
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/part/part_scene.hpp>
-#include <limits>
+#include <gnomon/shapes/counter_surface.hpp>
 
 #include "model/expected_contact.hpp"
 #include "part/body_meshes.hpp"
@@ -68,17 +68,13 @@ std::vector<FineZone::Ball> zone_of(const Scene& scene, const ImportedMesh& mesh
   return mesh.dimension == 2 ? zone_in<2>(scene, mesh) : zone_in<3>(scene, mesh);
 }
 
-/// Of a box around the balls [length].
+/// Of the box around the balls, which are one or more [length].
 double extent_of(const FineZone& fine) {
-  std::array<double, 3> low{}, high{};
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-low[0]);
-  for (const FineZone::Ball& ball : fine.balls)
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], ball[i] - ball[3]);
-      high[i] = std::max(high[i], ball[i] + ball[3]);
-    }
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  std::vector<Vector<3>> ends;
+  for (const auto& [x, y, z, radius] : fine.balls)
+    for (const double side : {-radius, radius}) ends.emplace_back(x + side, y + side, z + side);
+  const Box<3> box = Box<3>::around(ends);
+  return (box.high - box.low).norm();
 }
 
 /// Of facets in the zone.

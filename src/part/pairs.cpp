@@ -262,13 +262,12 @@ std::array<Facets<dim>, 2> surfaces_of_one(const Scene& scene, const std::string
 template <int dim>
 std::array<Facets<dim>, 2> sides_of(const Scene& scene, const std::string& table,
                                     const ImportedBody<dim>& part, const AssemblyParts<dim>& parts,
-                                    const Facets<dim>& wearing, const std::array<int, 2>& bodies) {
+                                    const BodyOfFacets<dim>& body_of, const Facets<dim>& wearing,
+                                    const std::array<int, 2>& bodies) {
   const std::vector<int> connected = connected_parts(parts.mesh, parts.bodies);
-  if (connected[bodies[0]] != connected[bodies[1]]) {
-    const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
+  if (connected[bodies[0]] != connected[bodies[1]])
     return {boundary_of(scene, table, part, body_of, wearing, bodies[0]),
             boundary_of(scene, table, part, body_of, wearing, bodies[1])};
-  }
   if (scene.given(table + ".surfaces")) return surfaces_of_one(scene, table, part);
   throw InputError(fmt::format(
       "{}: expected bodies that share no node, but \"{}\" and \"{}\" are bonded: mesh "
@@ -294,6 +293,7 @@ double overlap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x
 
 template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {
+  const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
   const Facets<dim> wearing = facets_of(wearing_surfaces(scene, part));
   require_moving_pairs(scene);
   const std::map<std::string, BodyCycle<dim>> motions =
@@ -302,7 +302,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   const auto instants = places_over_cycle(parts);
   for (const std::string& table : entries_of(scene, "pair", keys_of_pairs(), {"bodies"})) {
     const std::array<int, 2> bodies = bodies_of_pair(scene, table, parts.bodies);
-    const auto [slave, master] = sides_of(scene, table, part, parts, wearing, bodies);
+    const auto [slave, master] = sides_of(scene, table, part, parts, body_of, wearing, bodies);
     const std::array<std::string, 2> names = {parts.bodies[bodies[0]].name,
                                               parts.bodies[bodies[1]].name};
     MortarPair<dim> pair{

@@ -310,15 +310,18 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
       slow.interface.speed = speed_on_path(slow, magnitudes);
       magnitudes = find_magnitudes(scene, slow);
     }
-    if (*parts.interface.speed == 0) parts.interface.speed = slow.interface.speed;
-    read_laws_again(scene, parts);
+    if (*parts.interface.speed == 0) {
+      parts.interface.speed = slow.interface.speed;
+      read_laws_again(scene, parts);
+    }
     parts.scales = magnitudes.scales;
   }
   if (parts.interface.rolling) {
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
-      if (!scene.given("wear.velocity"))
+      if (!scene.given("wear.velocity")) {
         parts.interface.speed = speed_of_rolling(parts, magnitudes);
-      read_laws_again(scene, parts);
+        read_laws_again(scene, parts);
+      }
       magnitudes = find_magnitudes(scene, parts);
     }
     scale_creepages(magnitudes, parts);
