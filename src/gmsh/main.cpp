@@ -9,17 +9,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
-#include <regex>
 #include <sstream>
 #include <utility>
 
 #include "gmsh/model_mesh.hpp"
+#include "gmsh/script.hpp"
 #include "mesh/mesh_stream.hpp"
 
 namespace gnomon::gmsh_reader {
@@ -102,67 +100,6 @@ bool changes_curves(const std::string& script) {
   return with != elements_on_curves();
 }
 
-std::string without_comments(const std::string& text) {
-  std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    if (text.compare(at, 2, "//") == 0) {
-      at = std::min(text.find('\n', at), text.size());
-    } else if (text.compare(at, 2, "/*") == 0) {
-      const std::size_t end = text.find("*/", at + 2);
-      at = end == text.npos ? text.size() : end + 2;
-    } else {
-      result += text[at++];
-    }
-  }
-  return result;
-}
-
-int dimension_named(const std::string& kind) {
-  if (kind == "Point") return 0;
-  if (kind == "Curve" || kind == "Line") return 1;
-  return kind == "Surface" ? 2 : 3;
-}
-
-/// "17, 18": the numbers of a list that are not among the tags.
-std::string absent_in(const std::string& list, const std::vector<int>& tags) {
-  std::string absent, word;
-  std::istringstream words(list);
-  while (std::getline(words, word, ',')) {
-    const int tag = std::abs(std::atoi(word.c_str()));  // negative where it is turned round
-    if (std::ranges::find(tags, tag) == tags.end())
-      absent += (absent.empty() ? "" : ", ") + std::to_string(tag);
-  }
-  return absent;
-}
-
-/// Gmsh leaves out, without a word, curves and surfaces of a physical group that do not exist.
-/// Reads the groups in the text of a script (.geo) that are lists of plain numbers, and returns a
-/// sentence for each with numbers that the current model does not have.
-std::vector<std::string> absent_members(const std::string& file) {
-  std::ifstream stream(file);
-  std::ostringstream whole;
-  whole << stream.rdbuf();
-  const std::string text = without_comments(whole.str());
-  static const std::regex group(
-      R"re(Physical\s+(Point|Curve|Line|Surface|Volume)\s*\(\s*("[^"]*"|\d+)[^)]{0,40}\)\s*\+?=\s*\{)re");
-  std::vector<std::string> sentences;
-  for (std::sregex_iterator found(text.begin(), text.end(), group), end; found != end; ++found) {
-    const auto first = static_cast<std::size_t>(found->position() + found->length());
-    const std::size_t last = text.find_first_not_of("-0123456789, \t\r\n", first);
-    if (last == text.npos || text[last] != '}') continue;  // not a list of plain numbers
-    std::string kind = (*found)[1];
-    const std::string list = text.substr(first, last - first);
-    const std::string absent = absent_in(list, entities_of(dimension_named(kind)));
-    if (absent.empty()) continue;
-    for (char& letter : kind) letter = static_cast<char>(std::tolower(letter));
-    std::ostringstream sentence;
-    sentence << "group " << (*found)[2] << " names " << kind << " " << absent
-             << ", which the geometry does not have";
-    sentences.push_back(sentence.str());
-  }
-  return sentences;
-}
-
 ImportedMesh read(const std::string& file, double size, double factor, const std::string& zone,
                   bool geometry) {
   if (geometry) ask_for_factor(factor);
@@ -171,8 +108,12 @@ ImportedMesh read(const std::string& file, double size, double factor, const std
   if (!zone.empty()) ask_for_zone(zone);
   if (geometry) mesh_geometry(size, factor, file.ends_with(".geo"), mesh.remarks);
   if (const std::string error = first_error(); !error.empty()) throw std::runtime_error(error);
-  if (file.ends_with(".geo"))
-    for (std::string& sentence : absent_members(file)) mesh.remarks.push_back(tidy(sentence));
+  mesh.has_sizes = !geometry;
+  if (file.ends_with(".geo")) {
+    const Script script(file);
+    mesh.has_sizes = script.gives_sizes();
+    for (std::string& sentence : script.absent_members()) mesh.remarks.push_back(tidy(sentence));
+  }
   copy_model(mesh, geometry);
   if (file.ends_with(".geo") && factor != 1 && !changes_curves(file))
     mesh.remarks.push_back(

@@ -21,8 +21,8 @@ struct Stream {
   Move move;
 
   void operator()(ImportedMesh& mesh) {
-    all(mesh.dimension, mesh.nodes, mesh.node_tags, mesh.cells, mesh.facets, mesh.remarks,
-        mesh.groups);
+    all(mesh.dimension, mesh.nodes, mesh.node_tags, mesh.cells, mesh.facets, mesh.has_sizes,
+        mesh.remarks, mesh.groups);
   }
   void operator()(ElementList& list) { all(list.kinds, list.tags, list.start, list.nodes); }
   void operator()(MeshGroup& group) { all(group.name, group.dimension, group.members); }

@@ -93,6 +93,7 @@ void append(ImportedMesh more, ImportedMesh& mesh) {
     for (int& member : group.members) member += first;
     mesh.groups.push_back(std::move(group));
   }
+  mesh.has_sizes = mesh.has_sizes || more.has_sizes;
   mesh.remarks.insert(mesh.remarks.end(), more.remarks.begin(), more.remarks.end());
   mesh.file += " and " + more.file;
 }

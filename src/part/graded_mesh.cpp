@@ -146,12 +146,11 @@ ImportedMesh read_graded_mesh(const Scene& scene) {
 }
 
 std::optional<Scene> with_contact_size(const Scene& scene) {
-  const bool has_sizes = scene.is_set("mesh.size") || scene.is_set("mesh.factor") ||
-                         scene.given(size_key) || !scene.given("mesh.file") ||
-                         !is_geometry(scene.text("mesh.file")) ||
-                         scene.text("mesh.file").ends_with(".geo");
-  if (has_sizes) return {};
+  if (scene.is_set("mesh.size") || scene.is_set("mesh.factor") || scene.given(size_key) ||
+      !has_geometry(scene))
+    return {};
   ImportedMesh mesh = read_mesh(scene);
+  if (mesh.has_sizes) return {};
   FineZone fine{.balls = zone_of(scene, mesh)};
   for (int pass = 0; pass < 2 && !fine.balls.empty(); ++pass) {
     fine.size = extent_of(fine) / across;

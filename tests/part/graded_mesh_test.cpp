@@ -147,5 +147,32 @@ TEST_F(GradedMesh, IsChosenForAStepFileWithoutSizes) {
   EXPECT_NEAR(chosen->real("mesh.contact_size"), 1, 0.5);
 }
 
+// The fourth entry of a point would be its size; those of groups are points.
+TEST_F(GradedMesh, IsChosenForAScriptWithoutSizes) {
+  const std::string of_points = R"(h = 10;
+Point(1) = {-10, -10, 0}; Point(2) = {h * Cos(0), -h, 0}; Point(3) = {Max(h, 2), 0, 0};
+Point(4) = {-10, 0, 0 /* , 0.1 */};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Surface("block") = {1}; Physical Curve("bottom") = {1}; Physical Curve("face") = {3};
+Physical Point("corners") = {1, 2, 3, 4};
+)";
+  const auto chosen = [&](const std::string& script) {
+    folder_.write("block.geo", script);
+    folder_.write("roller.toml", roller_on_block);
+    return part::with_contact_size(load_scene(folder_.path() / "roller.toml", {}, key_table)
+                                       .without("mesh.size")
+                                       .without("mesh.contact_size"));
+  };
+  const std::optional<Scene> free = chosen(of_points);
+  ASSERT_TRUE(free);
+  EXPECT_NEAR(free->real("mesh.contact_size"), 2 * std::cbrt(1.5 * 20 * 0.1) / 20, 0.1);
+  std::string sized = of_points;
+  sized.replace(sized.find("0, 0 /*"), 4, "0, 0, 2");
+  EXPECT_FALSE(chosen(sized));
+  EXPECT_FALSE(chosen(of_points + "MeshSize {1} = 0.5;\n"));
+  EXPECT_FALSE(chosen(of_points + "Transfinite Curve {1} = 5;\n"));
+}
+
 }  // namespace
 }  // namespace gnomon::graded_mesh_test

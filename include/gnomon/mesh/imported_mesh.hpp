@@ -58,6 +58,7 @@ struct ImportedMesh {
   ElementList cells;                         ///< of the dimension of the mesh
   ElementList facets;                        ///< one dimension less
   std::vector<MeshGroup> groups;
+  bool has_sizes = true;             ///< a geometry may have none, and Gmsh chooses
   std::vector<std::string> remarks;  ///< what the user should know about the reading, in sentences
 };
 
