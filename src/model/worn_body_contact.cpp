@@ -224,6 +224,8 @@ TermFactory<dim> WornBodyEquations<dim>::contact_of(std::size_t p, double speed)
 
 template std::size_t nearest_instant(const Assembly<2>&, double);
 template std::size_t nearest_instant(const Assembly<3>&, double);
+template SlipMemory WornBodyEquations<2>::memory() const;
+template SlipMemory WornBodyEquations<3>::memory() const;
 template TermFactory<2> WornBodyEquations<2>::contact_of(std::size_t, double) const;
 template TermFactory<3> WornBodyEquations<3>::contact_of(std::size_t, double) const;
 

@@ -121,7 +121,7 @@ std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
     for (const int m : bins.near_line(corner, n, pair.reach + size, size)) {
       if (n.dot(normals[m]) > opposite) continue;
       const CoveredPart<dim> part =
-          covered_part<dim>(pair_of<dim>(pair.slave[s], pair.master[m], x), section, pair.reach);
+          covered_part(pair_of<dim>(pair.slave[s], pair.master[m], x), section, pair.reach);
       if (!(part.mass.sum() > 0)) continue;
       const double gap = part.gap.sum() / part.mass.sum();
       if (gap < -deepest) continue;

@@ -61,7 +61,7 @@ MortarFacet<dim>::MortarFacet(FacetPair<dim> pair, const std::vector<FacetNodal<
   Cover<dim> cover;
   for (std::size_t k = 0; k < y.size(); ++k) {
     pair.y = y[k];
-    cover.add(covered_part<dim>(pair, section, reach), facets[k], *this);
+    cover.add(covered_part(pair, section, reach), facets[k], *this);
   }
   cover.finish(pair.X, section, *this);
 }
@@ -76,7 +76,7 @@ MortarFacetTangent<dim>::MortarFacetTangent(FacetPair<dim> pair,
   Cover<dim> cover;
   for (std::size_t k = 0; k < y.size(); ++k) {
     pair.y = y[k];
-    CoveredPartTangent<dim> part = covered_part_tangent<dim>(pair, section, reach);
+    CoveredPartTangent<dim> part = covered_part_tangent(pair, section, reach);
     if (cover.add(part.part, facets[k], facet)) parts.push_back(std::move(part));
   }
   if (!cover.finish(pair.X, section, facet)) {

@@ -84,12 +84,10 @@ CoveredPart<2, Scalar> covered(const FacetPair<2, Scalar>& pair, Section section
 
 }  // namespace
 
-template <>
 CoveredPart<2> covered_part(const FacetPair<2>& pair, Section section, double reach) {
   return covered<double>(pair, section, reach);
 }
 
-template <>
 CoveredPartTangent<2> covered_part_tangent(const FacetPair<2>& pair, Section section,
                                            double reach) {
   constexpr int inputs = CoveredPartTangent<2>::inputs, each = 4;

@@ -246,14 +246,12 @@ private:
 
 }  // namespace
 
-template <>
 CoveredPart<3> covered_part(const FacetPair<3>& pair, Section, double reach) {
   if (apart(pair, reach)) return {};
   const PairInPlane at(pair, reach);
   return at.is_empty() ? CoveredPart<3>{} : covered(Integrals<false>(at).value);
 }
 
-template <>
 CoveredPartTangent<3> covered_part_tangent(const FacetPair<3>& pair, Section, double reach) {
   CoveredPartTangent<3> result;
   if (apart(pair, reach)) return result;

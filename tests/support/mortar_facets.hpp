@@ -53,9 +53,9 @@ Eigen::MatrixXd mortar_differences(FacetPair<dim> pair, Section section = Sectio
     double& value = mortar_input(pair, k);
     const double at = value;
     value = at + h;
-    const Eigen::VectorXd above = mortar_values(covered_part<dim>(pair, section, reach));
+    const Eigen::VectorXd above = mortar_values(covered_part(pair, section, reach));
     value = at - h;
-    const Eigen::VectorXd below = mortar_values(covered_part<dim>(pair, section, reach));
+    const Eigen::VectorXd below = mortar_values(covered_part(pair, section, reach));
     result.col(k) = (above - below) / (2 * h);
     value = at;
   }

@@ -11,11 +11,11 @@ using Row2 = Eigen::RowVector2d;
 constexpr std::array sections = {Section::plane, Section::meridian};
 
 CoveredPart<2> covered(const FacetPair<2>& pair, Section section, double reach = any_distance) {
-  return covered_part<2>(pair, section, reach);
+  return covered_part(pair, section, reach);
 }
 CoveredPartTangent<2> tangent(const FacetPair<2>& pair, Section section,
                               double reach = any_distance) {
-  return covered_part_tangent<2>(pair, section, reach);
+  return covered_part_tangent(pair, section, reach);
 }
 EndNodes ends(const Row2& first, const Row2& last) {
   EndNodes result;

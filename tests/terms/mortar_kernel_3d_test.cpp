@@ -10,10 +10,10 @@ namespace {
 using namespace testing;
 
 CoveredPart<3> covered(const FacetPair<3>& pair, double reach = any_distance) {
-  return covered_part<3>(pair, Section::plane, reach);
+  return covered_part(pair, Section::plane, reach);
 }
 CoveredPartTangent<3> tangent(const FacetPair<3>& pair, double reach = any_distance) {
-  return covered_part_tangent<3>(pair, Section::plane, reach);
+  return covered_part_tangent(pair, Section::plane, reach);
 }
 
 TEST(MortarKernel3d, DerivativesAgreeWithDifferences) {

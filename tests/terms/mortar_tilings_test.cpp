@@ -9,10 +9,10 @@ namespace {
 using namespace testing;
 
 CoveredPart<3> covered(const FacetPair<3>& pair) {
-  return covered_part<3>(pair, Section::plane, any_distance);
+  return covered_part(pair, Section::plane, any_distance);
 }
 CoveredPartTangent<3> tangent(const FacetPair<3>& pair) {
-  return covered_part_tangent<3>(pair, Section::plane, any_distance);
+  return covered_part_tangent(pair, Section::plane, any_distance);
 }
 
 /// int N dA of the nodes of plane facets.

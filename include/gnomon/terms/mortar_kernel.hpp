@@ -59,10 +59,9 @@ struct CoveredPartTangent {
 
 /// Empty where the master facet covers nothing of the slave facet, does not face it, or is farther
 /// away than `reach`. dS is that of the whole circumference in a body of revolution.
-template <int dim>
-CoveredPart<dim> covered_part(const FacetPair<dim>& pair, Section section, double reach);
-template <int dim>
-CoveredPartTangent<dim> covered_part_tangent(const FacetPair<dim>& pair, Section section,
-                                             double reach);
+CoveredPart<2> covered_part(const FacetPair<2>& pair, Section section, double reach);
+CoveredPart<3> covered_part(const FacetPair<3>& pair, Section section, double reach);
+CoveredPartTangent<2> covered_part_tangent(const FacetPair<2>& pair, Section section, double reach);
+CoveredPartTangent<3> covered_part_tangent(const FacetPair<3>& pair, Section section, double reach);
 
 }  // namespace gnomon
