@@ -73,18 +73,15 @@ private:
   /// From the mesh of twice as large elements to that of four times as large ones. Not known where
   /// there is no such mesh, or no run on it.
   std::vector<double> coarser_differences(const Key& key, const Trial& coarse, BudgetPart& part) {
-    const std::vector<double> none(budget_.values.size(), not_known);
-    try {
+    std::vector<double> found(budget_.values.size(), not_known);
+    failure_of([&] {
       const auto four = key.controls->scaled(run_.scene, 4);
-      if (!four) return none;
+      if (!four) return;
       const Trial coarser = companions_.run(*four, "four times as large elements", &coarse.goals);
       part.how += ", " + change_text(run_.scene, *four);
-      return mesh_differences(coarser.goals, coarse.goals);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const Error&) {
-      return none;
-    }
+      found = mesh_differences(coarser.goals, coarse.goals);
+    });
+    return found;
   }
 
   void add_other(const Key& key) {

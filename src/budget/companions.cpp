@@ -72,14 +72,12 @@ void Companions::add_mesh(const Scene& scene,
   if (own == keys.end()) return;
   add(*own, [&](BudgetPart& part) {
     std::string failure = "there is no mesh of other elements to compare with";
-    for (const OtherMesh& mesh : other_meshes(scene)) try {
-        part.key = mesh.key.name;
-        return find(mesh, part);
-      } catch (const Interrupted&) {
-        throw;
-      } catch (const Error& error) {
-        failure = error.what();
-      }
+    for (const OtherMesh& mesh : other_meshes(scene)) {
+      part.key = mesh.key.name;
+      const auto failed = failure_of([&] { find(mesh, part); });
+      if (!failed) return;
+      failure = *failed;
+    }
     throw InputError(failure);
   });
 }

@@ -56,13 +56,10 @@ public:
 
 private:
   /// A pilot that fails leaves a part of the error unknown.
-  void attempt(const std::string& part, const std::function<void()>& measure) try {
-    measure();
-  } catch (const Interrupted&) {
-    throw;
-  } catch (const Error& error) {
-    remarks_.push_back(
-        fmt::format("the error of the {} is not part of the plan: {}", part, error.what()));
+  void attempt(const std::string& part, const std::function<void()>& measure) {
+    if (const auto failure = failure_of(measure))
+      remarks_.push_back(
+          fmt::format("the error of the {} is not part of the plan: {}", part, *failure));
   }
 
   static double read_within(const Scene& scene) {
@@ -125,7 +122,7 @@ private:
     const auto other = key.controls->scaled(scene_, given ? 0.5 : 2);
     if (!other) return;
     const Scene own = scene_;
-    try {
+    const auto failure = failure_of([&] {
       scene_ = *other;
       Trial trial = pilot(pilot_, change_text(own, *other));
       const std::vector<double> errors = differences(coarse_->goals, trial.goals);
@@ -141,11 +138,8 @@ private:
         coarse_ = std::move(trial);
       else
         scene_ = own;
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const Error&) {  // the model does not suit the scene
-      scene_ = own;
-    }
+    });
+    if (failure) scene_ = own;  // the model does not suit the scene
   }
 
   /// A part of the error that stays, known from a pilot run.
@@ -181,13 +175,12 @@ private:
   /// A mesh that is given stays; what it is wrong by, a finer one tells.
   void judge_mesh() {
     std::string failure = "there is no other mesh";
-    for (const OtherMesh& other : other_meshes(asked_)) try {
-        if (!other.is_coarser) return judge_mesh_by(other.key);
-      } catch (const Interrupted&) {
-        throw;
-      } catch (const Error& error) {
-        failure = error.what();
-      }
+    for (const OtherMesh& other : other_meshes(asked_)) {
+      if (other.is_coarser) continue;
+      const auto failed = failure_of([&] { judge_mesh_by(other.key); });
+      if (!failed) return;
+      failure = *failed;
+    }
     throw InputError(failure);
   }
 

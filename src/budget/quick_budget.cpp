@@ -62,12 +62,8 @@ private:
   void find_mesh(const Key& key, BudgetPart& part) {
     for (const double factor : {8, 4}) {
       if (factor == 8 && is_small_) continue;
-      try {
-        return find_mesh(key, part, factor);
-      } catch (const Interrupted&) {
-        throw;
-      } catch (const Error&) {  // a mesh so coarse cannot be made, or carries no contact
-      }
+      // A mesh so coarse may be one that cannot be made, or that carries no contact.
+      if (!failure_of([&] { find_mesh(key, part, factor); })) return;
     }
     find_mesh(key, part, 2);
   }
@@ -104,15 +100,13 @@ private:
 
   /// Between the coarse mesh and a coarser one, which costs little; not known where there is none.
   std::vector<double> coarser_differences(const Key& key, double factor) {
-    try {
+    std::vector<double> found(budget_.values.size(), not_known);
+    failure_of([&] {
       if (const auto scene = key.controls->scaled(scene_, factor))
-        return mesh_differences(cheap(*scene, "a coarser mesh", &coarse_->goals).goals,
-                                coarse_->goals);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const Error&) {  // it cannot be made, or carries no contact
-    }
-    return std::vector<double>(budget_.values.size(), not_known);
+        found = mesh_differences(cheap(*scene, "a coarser mesh", &coarse_->goals).goals,
+                                 coarse_->goals);
+    });
+    return found;
   }
 
   void add_other(const Key& key) {

@@ -32,6 +32,15 @@ std::string text_of(const SceneValue& value) {
 
 }  // namespace
 
+std::optional<std::string> failure_of(const std::function<void()>& attempt) try {
+  attempt();
+  return {};
+} catch (const Interrupted&) {
+  throw;
+} catch (const Error& error) {
+  return error.what();
+}
+
 Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupted,
                 const Goals* unlike) {
   const double begin = cpu_seconds();

@@ -1,8 +1,10 @@
 // A run that is made for its goals alone.
 #pragma once
 
+#include <functional>
 #include <gnomon/base/error.hpp>
 #include <gnomon/budget/budget.hpp>
+#include <optional>
 #include <string>
 
 namespace gnomon {
@@ -23,6 +25,10 @@ public:
 double cpu_seconds();
 
 namespace budget {
+
+/// Does something that may fail; returns the reason, or nothing where it has not failed. Throws
+/// Interrupted.
+std::optional<std::string> failure_of(const std::function<void()>& attempt);
 
 struct Trial {
   Scene scene;  ///< complete: with what was chosen where the model was made
