@@ -233,15 +233,14 @@ private:
   }
 
   bool same_plane(int axis, const std::string& one, const std::string& other) const {
-    constexpr double same = 1e-6;  // of the whole mesh
-    const Box<dim> box = Box<dim>::around(body_.mesh.nodes);
+    const double same = 1e-6 * Box<dim>::around(body_.mesh.nodes).diagonal();
     const auto side = [&](const std::string& name) {
       const auto& facet = body_.mesh.boundary.at(name).front();
       return std::pair(body_.mesh.nodes[facet[0]][axis], area_vector(body_.mesh, facet)[axis]);
     };
     const auto [x, outward] = side(one);
     const auto [y, too] = side(other);
-    return std::abs(x - y) < same * (box.high - box.low).norm() && outward * too > 0;
+    return std::abs(x - y) < same && outward * too > 0;
   }
 };
 

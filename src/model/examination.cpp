@@ -225,8 +225,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   }
   facts.deformation = assembly().scales.displacement;
   facts.force = assembly().copies * assembly().scales.force;
-  const Box<dim> box = Box<dim>::around(assembly().mesh.nodes);
-  facts.size = (box.high - box.low).norm();
+  facts.size = Box<dim>::around(assembly().mesh.nodes).diagonal();
   facts.touches = std::ranges::any_of(contacts, touches<dim>);
   facts.gap = std::numeric_limits<double>::infinity();
   for (const PhaseContact<dim>& phase : contacts)

@@ -38,8 +38,7 @@ std::vector<double> thickness_behind(const Assembly<dim>& assembly) {
   std::vector<double> result(assembly.contact_nodes.size(), far);
   const std::vector<int> body_of = body_of_nodes(mesh, assembly.body_of);
   const FacetTable<dim> facets(mesh);
-  const Box<dim> box = Box<dim>::around(mesh.nodes);
-  const double radius = rounding * (box.high - box.low).norm();
+  const double radius = rounding * Box<dim>::around(mesh.nodes).diagonal();
   for (int body = 0; body < static_cast<int>(assembly.bodies.size()); ++body) {
     const auto boundary = boundary_of(assembly, facets, body);
     const FacetBins<dim> bins(boundary, mesh.nodes);

@@ -169,8 +169,7 @@ namespace {
 template <int dim>
 bool flies_away(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values) {
   constexpr double far = 10;
-  const Box<dim> box = Box<dim>::around(equations.assembly().mesh.nodes);
-  const double size = (box.high - box.low).norm();
+  const double size = Box<dim>::around(equations.assembly().mesh.nodes).diagonal();
   for (std::size_t p = 0; p < equations.phases().size(); ++p)
     if (values.vector(equations.fields(p).u).cwiseAbs().maxCoeff() > far * size) return true;
   return false;

@@ -107,8 +107,7 @@ std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
                                            double* covered = nullptr) {
   constexpr double opposite = -0.2;  // cosine
   // Facets that face away from each other are far behind each other.
-  const Box<dim> box = Box<dim>::around(x);
-  const double deepest = 0.01 * (box.high - box.low).norm();
+  const double deepest = 0.01 * Box<dim>::around(x).diagonal();
   std::array<std::vector<double>, 2> gaps = {std::vector<double>(pair.slave.size(), far),
                                              std::vector<double>(pair.master.size(), far)};
   std::vector<Vector<dim>> normals;

@@ -73,8 +73,7 @@ double extent_of(const FineZone& fine) {
   std::vector<Vector<3>> ends;
   for (const auto& [x, y, z, radius] : fine.balls)
     for (const double side : {-radius, radius}) ends.emplace_back(x + side, y + side, z + side);
-  const Box<3> box = Box<3>::around(ends);
-  return (box.high - box.low).norm();
+  return Box<3>::around(ends).diagonal();
 }
 
 /// Of facets in the zone.

@@ -314,8 +314,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
                                                      : scene.real("friction.coefficient"),
         .bodies = names,
         .numbers = bodies};
-    pair.reach =
-        (Box<dim>::around(parts.mesh.nodes).high - Box<dim>::around(parts.mesh.nodes).low).norm();
+    pair.reach = Box<dim>::around(parts.mesh.nodes).diagonal();
     pair.boundary = {pair.slave, pair.master};
     std::vector<std::vector<Vector<dim>>> x;
     for (const auto& places : instants)

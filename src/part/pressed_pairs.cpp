@@ -35,12 +35,11 @@ namespace {
 template <int dim>
 bool overlap(const AssemblyParts<dim>& parts) {
   constexpr double deep = 1e-3;  // of the size; less is that of round bodies as polygons
-  const Box<dim> box = Box<dim>::around(parts.mesh.nodes);
+  const double size = Box<dim>::around(parts.mesh.nodes).diagonal();
   for (const Phase<dim>& phase : parts.instants()) {
     const auto x = in_space(parts.pairs, phase.places, parts.mesh.nodes);
     for (const MortarPair<dim>& pair : parts.pairs)
-      if (travel_to_touch<dim>(pair, pair.approach, x) < -deep * (box.high - box.low).norm())
-        return true;
+      if (travel_to_touch<dim>(pair, pair.approach, x) < -deep * size) return true;
   }
   return false;
 }

@@ -25,6 +25,7 @@ struct Box {
   static Box around(const std::vector<Vector<dim>>& points);
   /// Wider on all sides by a part of its longest side.
   Box widened(double part) const;
+  double diagonal() const { return (high - low).norm(); }
 };
 
 /// The zero level of a signed distance within a box that is divided into cells, `most` along its
