@@ -13,6 +13,7 @@
 #include <gnomon/mesh/flat_part.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
+#include <gnomon/model/physics.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/results/results.hpp>
 #include <gnomon/terms/solid.hpp>
@@ -170,7 +171,9 @@ void check_drawing(const fs::path& file) {
 /// coordinates, "x y". Throws InputError, and Error without Python or its packages.
 template <int dim>
 void draw_mesh(const ImportedBody<dim>& body, const std::string& axes, const fs::path& file) {
-  const std::string view = mesh_view(grid_of(body), axes);
+  Grid grid = grid_of(body.mesh);
+  grid.parts = stored_parts(body);
+  const std::string view = mesh_view(grid, axes);
   if (file.extension() == ".xdmf") {
     write_file(file, view, Earlier::replaced);
   } else {

@@ -18,15 +18,6 @@ std::vector<BlockSize> sizes_of(const Structure& structure) {
   return sizes;
 }
 
-template <int dim>
-Grid grid_of(const Mesh<dim>& mesh) {
-  Grid grid;
-  grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
-  grid.points = points_in_space<dim>(mesh.nodes);
-  for (const auto& cell : mesh.cells) grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
-  return grid;
-}
-
 }  // namespace
 
 template <int dim>

@@ -41,17 +41,6 @@ std::vector<MeshPart> stored_parts(const ImportedBody<dim>& part) {
 }
 
 template <int dim>
-Grid grid_of(const ImportedBody<dim>& part) {
-  Grid grid{.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron,
-            .points = {},
-            .cells = flat(part.mesh.cells),
-            .parts = stored_parts(part)};
-  for (const Vector<dim>& X : part.mesh.nodes)
-    std::copy(X.begin(), X.end(), grid.points.emplace_back().begin());
-  return grid;
-}
-
-template <int dim>
 ImportedBody<dim> part_of_grid(const Grid& grid, const std::string& file) {
   using Facet = typename Mesh<dim>::Facet;
   ImportedBody<dim> part;
@@ -86,8 +75,6 @@ ImportedBody<dim> part_of_grid(const Grid& grid, const std::string& file) {
 
 template std::vector<MeshPart> stored_parts(const ImportedBody<2>&);
 template std::vector<MeshPart> stored_parts(const ImportedBody<3>&);
-template Grid grid_of(const ImportedBody<2>&);
-template Grid grid_of(const ImportedBody<3>&);
 template ImportedBody<2> part_of_grid(const Grid&, const std::string&);
 template ImportedBody<3> part_of_grid(const Grid&, const std::string&);
 

@@ -10,11 +10,8 @@ namespace gnomon {
 template <int dim>
 std::vector<MeshPart> stored_parts(const ImportedBody<dim>& part);
 
-/// Its mesh with these parts.
-template <int dim>
-Grid grid_of(const ImportedBody<dim>& part);
-
-/// The part again. `file` is for messages, which InputError throws where the grid has no parts.
+/// The part again, from its mesh with these. `file` is for messages, which InputError throws where
+/// the grid has no parts.
 template <int dim>
 ImportedBody<dim> part_of_grid(const Grid& grid, const std::string& file);
 

@@ -61,6 +61,16 @@ std::vector<std::array<double, 3>> points_in_space(const std::vector<Vector<dim>
   return result;
 }
 
+/// Its nodes and cells.
+template <int dim>
+Grid grid_of(const Mesh<dim>& mesh) {
+  Grid grid;
+  grid.cell = dim == 2 ? Grid::Cell::quadrilateral : Grid::Cell::hexahedron;
+  grid.points = points_in_space<dim>(mesh.nodes);
+  for (const auto& cell : mesh.cells) grid.cells.insert(grid.cells.end(), cell.begin(), cell.end());
+  return grid;
+}
+
 /// A cell with its nodal values, one row per node.
 template <int dim>
 struct CellState {
