@@ -26,7 +26,7 @@ std::string varying_stiffness(const AssemblyParts<dim>& parts) {
     return "body.material = \"linear\": with finite strains the stiffness changes";
   const auto follows = [](const Load<dim>& load) { return load.forces.size() == 0; };
   if (std::ranges::any_of(parts.loads, follows) ||
-      std::ranges::any_of(parts.swinging_loads, follows, &SwingingLoad<dim>::load))
+      std::ranges::any_of(parts.swinging_loads, follows))
     return "loads that do not follow the surface, instead of a pressure";
   return {};
 }
@@ -179,14 +179,11 @@ void Condensation<dim>::condense_stiffness(CondensedPart& part) const {
 
 template <int dim>
 void Condensation<dim>::add_loads(const AssemblyParts<dim>& parts) {
-  for (const Load<dim>& load : parts.loads)
-    loads_.push_back({load.forces, load.history, load.presses,
-                      [](const Phase<dim>& phase) { return phase.load; }});
-  for (const SwingingLoad<dim>& swinging : parts.swinging_loads) {
-    const Load<dim>& load = swinging.load;
-    loads_.push_back({load.forces, load.history, load.presses,
-                      [swinging](const Phase<dim>& phase) { return swinging.factor_in(phase); }});
-  }
+  for (const auto* loads : {&parts.loads, &parts.swinging_loads})
+    for (const Load<dim>& load : *loads)
+      loads_.push_back(
+          {load.forces, load.history, load.presses,
+           [swing = load.swing](const Phase<dim>& phase) { return phase.load_factor(swing); }});
   for (const SpringSupport<dim>& springs : parts.supports.springs)
     loads_.push_back({pull_of(springs, parts), springs.history});
   condensed_ = loads_;

@@ -70,16 +70,16 @@ void WearModel<dim>::follow_loads(const FieldValues<dim>& values, double t,
                                : assembly().pairs.front().slave.front()[0])];
   for (PlaceAndForce<dim>& at : loop) at.place.setZero(), at.force.setZero();
   double whole = 0;
-  for (const SwingingLoad<dim>& swinging : assembly().swinging_loads) {
-    const NodalField<dim> forces = forces_of<dim>(swinging.load, assembly());
+  for (const Load<dim>& load : assembly().swinging_loads) {
+    const NodalField<dim> forces = forces_of<dim>(load, assembly());
     Eigen::VectorXd sizes = forces.rowwise().norm();
     for (Eigen::Index node = 0; node < sizes.size(); ++node)
       if (parts[static_cast<std::size_t>(node)] == slave) sizes[node] *= -1;
     whole += forces.rowwise().norm().sum();
     const double sign = sizes.sum() < 0 ? -1 : 1;
     for (std::size_t p = 0; p < loop.size(); ++p) {
-      loop[p].force += assembly().copies * sign * swinging.load.history.factor(t) *
-                       swinging.factor_in(equations_.phases()[p]) *
+      loop[p].force += assembly().copies * sign * load.history.factor(t) *
+                       equations_.phases()[p].load_factor(load.swing) *
                        forces.colwise().sum().transpose();
       loop[p].place += values.vector(equations_.fields(p).u).transpose() * sizes;
     }

@@ -143,13 +143,8 @@ void WornBodyEquations<dim>::add_terms(std::vector<TermFactory<dim>>& terms) {
   });
   if (condensation_) return;
   for (const SpringSupport<dim>& springs : assembly_->supports.springs) add_springs(springs, terms);
-  for (const Load<dim>& load : assembly_->loads)
-    add_load(
-        load, [](const Phase<dim>& phase) { return phase.load; }, terms);
-  for (const SwingingLoad<dim>& swinging : assembly_->swinging_loads)
-    add_load(
-        swinging.load, [&swinging](const Phase<dim>& phase) { return swinging.factor_in(phase); },
-        terms);
+  for (const Load<dim>& load : assembly_->loads) add_load(load, terms);
+  for (const Load<dim>& load : assembly_->swinging_loads) add_load(load, terms);
 }
 
 /// Of a phase, in its displacements at the contact nodes.
@@ -237,13 +232,11 @@ void WornBodyEquations<dim>::add_springs(const SpringSupport<dim>& springs,
 }
 
 template <int dim>
-void WornBodyEquations<dim>::add_load(const Load<dim>& load,
-                                      const std::function<double(const Phase<dim>&)>& factor_in,
-                                      std::vector<TermFactory<dim>>& terms) {
+void WornBodyEquations<dim>::add_load(const Load<dim>& load, std::vector<TermFactory<dim>>& terms) {
   const auto purpose = load.presses ? Loads<dim>::Purpose::presses : Loads<dim>::Purpose::acts;
   for (std::size_t p = 0; p < phases_.size(); ++p)
     add(terms, TermKind::load, p,
-        [of = assembly_, f = fields_[p], factor = factor_in(phases_[p]), load,
+        [of = assembly_, f = fields_[p], factor = phases_[p].load_factor(load.swing), load,
          purpose](const Numbering& numbering) -> std::unique_ptr<Term<dim>> {
           if (load.forces.size() > 0)
             return std::make_unique<Loads<dim>>(numbering, f.u, factor * load.forces, load.history,

@@ -182,14 +182,15 @@ std::vector<Load<dim>> read_loads(const Scene& scene, const ImportedBody<dim>& p
 }
 
 template <int dim>
-std::vector<SwingingLoad<dim>> read_swinging_loads(const Scene& scene,
-                                                   const ImportedBody<dim>& part,
-                                                   const std::vector<Body>& bodies) {
-  std::vector<SwingingLoad<dim>> loads;
+std::vector<Load<dim>> read_swinging_loads(const Scene& scene, const ImportedBody<dim>& part,
+                                           const std::vector<Body>& bodies) {
+  std::vector<Load<dim>> loads;
   const std::vector<std::string> tables = tables_of_loads(scene, true);
   const std::vector<CycleFunction> factors = factors_of_loads(scene);
-  for (std::size_t k = 0; k < tables.size(); ++k)
-    loads.push_back({read_load(scene, tables[k], part, bodies), factors[k]});
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    loads.push_back(read_load(scene, tables[k], part, bodies));
+    loads.back().swing = factors[k];
+  }
   return loads;
 }
 
@@ -208,10 +209,10 @@ std::vector<CycleFunction> factors_of_loads(const Scene& scene) {
   return factors;
 }
 
-template std::vector<SwingingLoad<2>> read_swinging_loads(const Scene&, const ImportedBody<2>&,
-                                                          const std::vector<Body>&);
-template std::vector<SwingingLoad<3>> read_swinging_loads(const Scene&, const ImportedBody<3>&,
-                                                          const std::vector<Body>&);
+template std::vector<Load<2>> read_swinging_loads(const Scene&, const ImportedBody<2>&,
+                                                  const std::vector<Body>&);
+template std::vector<Load<3>> read_swinging_loads(const Scene&, const ImportedBody<3>&,
+                                                  const std::vector<Body>&);
 template std::vector<Load<2>> read_loads(const Scene&, const ImportedBody<2>&,
                                          const std::vector<Body>&);
 template std::vector<Load<3>> read_loads(const Scene&, const ImportedBody<3>&,

@@ -20,9 +20,8 @@ std::vector<Load<dim>> read_loads(const Scene& scene, const ImportedBody<dim>& p
 
 /// Those with one. Throws InputError.
 template <int dim>
-std::vector<SwingingLoad<dim>> read_swinging_loads(const Scene& scene,
-                                                   const ImportedBody<dim>& part,
-                                                   const std::vector<Body>& bodies);
+std::vector<Load<dim>> read_swinging_loads(const Scene& scene, const ImportedBody<dim>& part,
+                                           const std::vector<Body>& bodies);
 
 /// The factors of these. Throws InputError where friction may not stick.
 std::vector<CycleFunction> factors_of_loads(const Scene& scene);

@@ -178,8 +178,7 @@ AssemblyParts<dim> read_all_but_shape(const Scene& scene, const ImportedBody<dim
   Motion<dim> motion{};
   Supports<dim> supports{};
   std::vector<Body> bodies;
-  std::vector<Load<dim>> loads;
-  std::vector<SwingingLoad<dim>> swinging_loads;
+  std::vector<Load<dim>> loads, swinging_loads;
   if (!pairs) mistakes.collect([&] { motion = read_motion(scene, section, patches); });
   mistakes.collect([&] { supports = read_supports(scene, part); });
   mistakes.collect([&] {

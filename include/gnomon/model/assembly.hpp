@@ -80,18 +80,8 @@ struct Load {
   double pressure = 0;  ///< on these, at factor one; positive pushes on the body [stress]
   LoadHistory history{};
   bool presses = false;  ///< it alone keeps the bodies together, so that it may not vanish
-};
-
-/// A load whose factor changes over the cycle by itself, beside what presses the bodies on each
-/// other; only where friction may stick.
-template <int dim>
-struct SwingingLoad {
-  Load<dim> load;
-  CycleFunction factor;
-
-  double factor_in(const Phase<dim>& phase) const {
-    return phase.swing * factor.value(phase.position);
-  }
+  /// Its own factor over the cycle; only where friction may stick.
+  std::optional<CycleFunction> swing{};
 };
 
 /// Where the material of a surface passes its partner once in a turn: each of its lines along the
@@ -181,7 +171,7 @@ struct AssemblyParts {
   std::vector<Body> bodies;
   Supports<dim> supports;
   std::vector<Load<dim>> loads{};
-  std::vector<SwingingLoad<dim>> swinging_loads{};
+  std::vector<Load<dim>> swinging_loads{};  ///< with a swing, beside what presses the bodies
   Interface<dim> interface;
   /// Contact of the bodies with each other: then they have no rigid partner, of which the approach
   /// alone is read, and the facets of the pairs are those of the interface's surfaces.

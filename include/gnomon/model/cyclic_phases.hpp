@@ -23,7 +23,7 @@ struct Phase {
   /// history; without it the counter-body does not move there.
   std::optional<double> force{};
   double load = 1;                     ///< factor of the loads on the bodies
-  double swing = 1;                    ///< of the swinging ones, beside their own
+  double swing = 1;                    ///< of those with a factor of their own, beside it
   std::vector<BodyPlace<dim>> places;  ///< of the bodies of pairs; empty: they are at rest
 
   /// The force along each guide at factor one; nothing where the counter-body is not free.
@@ -35,6 +35,10 @@ struct Phase {
   }
   bool moves_freely() const {
     return std::ranges::any_of(forces(), [](const auto& value) { return value.has_value(); });
+  }
+  /// Of a load, beside its history. `own`: Load::swing.
+  double load_factor(const std::optional<CycleFunction>& own) const {
+    return own ? swing * own->value(position) : load;
   }
 };
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/system/composed_system.hpp>
 #include <gnomon/system/state.hpp>
@@ -150,9 +149,7 @@ private:
   void add_equilibrium(std::size_t phase, std::vector<TermFactory<dim>>& terms);
   void add_springs(const SpringSupport<dim>& springs, std::vector<TermFactory<dim>>& terms);
   void add_forces_of_rolling(std::vector<TermFactory<dim>>& terms);
-  /// `factor_in`: its factor in a phase.
-  void add_load(const Load<dim>& load, const std::function<double(const Phase<dim>&)>& factor_in,
-                std::vector<TermFactory<dim>>& terms);
+  void add_load(const Load<dim>& load, std::vector<TermFactory<dim>>& terms);
   BlockSelection selection(bool deformation, bool mesh_motion) const;
 
   std::shared_ptr<const Assembly<dim>> assembly_;
