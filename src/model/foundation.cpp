@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mesh/crossing.hpp"
+#include "mesh/facet_bins.hpp"
 
 namespace gnomon {
 
@@ -104,28 +105,14 @@ bool Foundation<dim>::has_moved(const std::vector<Pose<dim>>& poses) const {
 
 template <int dim>
 void Foundation<dim>::find_near(const std::vector<Pose<dim>>& poses) {
-  constexpr double wide = 4;  // times the margin
+  constexpr double reach = std::numeric_limits<double>::infinity();
+  const double around = 4 * margin_ + facet_size_;
   for (Side& side : sides_) {
-    side.near.assign(side.patches.size(), {});
-    std::vector<Vector<dim>> centres;
-    std::vector<double> radii;
-    for (const auto& facet : side.targets) {
-      Vector<dim> centre = Vector<dim>::Zero();
-      for (const int node : facet) centre += now_[node] / double(facet.size());
-      double radius = 0;
-      for (const int node : facet) radius = std::max(radius, (now_[node] - centre).norm());
-      centres.push_back(centre);
-      radii.push_back(radius);
-    }
-    for (std::size_t p = 0; p < side.patches.size(); ++p) {
-      const Vector<dim> n = poses[side.part].linear() * side.patches[p].initial_normal;
-      const Vector<dim>& x = now_[side.patches[p].node];
-      for (std::size_t f = 0; f < centres.size(); ++f) {
-        const Vector<dim> to = centres[f] - x;
-        if ((to - to.dot(n) * n).norm() <= radii[f] + wide * margin_)
-          side.near[p].push_back(static_cast<int>(f));
-      }
-    }
+    const FacetBins<dim> bins(side.targets, now_);
+    side.near.clear();
+    for (const ContactPatch<dim>& patch : side.patches)
+      side.near.push_back(bins.near_line(
+          now_[patch.node], poses[side.part].linear() * patch.initial_normal, reach, around));
   }
   found_at_ = poses;
 }
