@@ -55,17 +55,14 @@ Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& 
         rigid_velocities<dim>(x[node], part.centre, part.size).row(i).transpose();
     held += row * row.transpose();
   };
-  std::vector<char> own(x.size(), 0);
-  for (const int node : part.nodes) {
-    own[node] = 1;
+  for (const int node : part.nodes)
     for (int i = 0; i < dim; ++i)
       if (parts.supports.held(node, i)) hold(node, i);
-  }
   for (const SpringSupport<dim>& springs : parts.supports.springs)
     for (const auto& facet : springs.facets)
       for (const int node : facet)
         for (int i = 0; i < dim; ++i)
-          if (own[node] && springs.stiffness[i] > 0) hold(node, i);
+          if (part.has(node) && springs.stiffness[i] > 0) hold(node, i);
   return held;
 }
 

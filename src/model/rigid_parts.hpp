@@ -28,10 +28,12 @@ Eigen::Transform<double, dim, Eigen::Affine> moved_by(const Twist<dim>& twist,
 template <int dim>
 struct RigidPart {
   int number = 0;          ///< connected_parts()
-  std::vector<int> nodes;  ///< of the mesh
+  std::vector<int> nodes;  ///< of the mesh, ascending
   Vector<dim> centre;      ///< mean of them [length]
   double size = 0;         ///< of the farthest from there [length]
   Eigen::MatrixXd loose;   ///< in the columns: twists that no support and no spring holds
+
+  bool has(int node) const { return std::ranges::binary_search(nodes, node); }
 };
 
 /// Of all parts; the nodes are at `x`.

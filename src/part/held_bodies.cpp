@@ -1,15 +1,14 @@
-// Whether supports, springs and contact hold every body.
+#include "part/held_bodies.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <gnomon/base/error.hpp>
 
 #include "base/spectrum.hpp"
 #include "model/rigid_balance.hpp"
 #include "part/histories.hpp"
 #include "part/pair_cycle.hpp"
-#include "part/supports.hpp"
 
 namespace gnomon::part {
 
@@ -25,64 +24,33 @@ std::string describe(const Eigen::VectorXd& mode, const std::vector<std::string>
                   : "turn about " + names[static_cast<std::size_t>(largest - 3)];
 }
 
-/// A rigid motion, by the displacement of a point.
+/// "the part", or what a body of this part is called.
 template <int dim>
-using RigidMotionOfPoints = std::function<Vector<dim>(const Vector<dim>&)>;
-
-/// Nodes of a part of the mesh that is connected: 1 by node.
-using NodesOfPart = std::vector<char>;
-
-/// Work of a load on a part at factor one.
-template <int dim>
-double work_of(const Load<dim>& load, const AssemblyParts<dim>& parts, const NodesOfPart& part,
-               const RigidMotionOfPoints<dim>& motion) {
-  const NodalField<dim> forces = forces_of(load, parts);
-  double work = 0;
-  for (std::size_t node = 0; node < part.size(); ++node)
-    if (part[node])
-      work += forces.row(static_cast<Eigen::Index>(node)).dot(motion(parts.mesh.nodes[node]));
-  return work;
+std::string name_of(const AssemblyParts<dim>& parts, const RigidPart<dim>& part) {
+  return parts.pairs.empty() ? "the part" : "\"" + body_of_part(parts, part).name + "\"";
 }
 
-/// "the part", or what the bodies of this part are called.
-template <int dim>
-std::string name_of(const AssemblyParts<dim>& parts, const NodesOfPart& part) {
-  if (parts.pairs.empty()) return "the part";
-  for (const Body& body : parts.bodies)
-    for (const int cell : body.cells)
-      if (part[parts.mesh.cells[cell][0]]) return "\"" + body.name + "\"";
-  return "each body";
-}
-
-/// Contact alone resists this motion, and to one side: loads have to drive the bodies there.
+/// Contact alone resists this motion of one of the parts, and to one side: loads have to drive it
+/// there.
 template <int dim>
 void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
-                            const NodesOfPart& part, const RigidMotionOfPoints<dim>& motion) {
-  constexpr double oblique = 1e-3;
-  double away = 0, back = 0;
-  for (const ContactPatch<dim>& patch : contact_nodes_of(parts)) {
-    if (!part[patch.node]) continue;
-    const double work =
-        patch.initial_area * patch.initial_normal.dot(motion(patch.initial_position));
-    (work > 0 ? away : back) += std::abs(work);
-  }
-  if (std::min(away, back) > oblique * std::max(away, back)) return;
-  const double side = away > back ? 1 : -1;
-  std::vector<double> works;
-  for (const Load<dim>& load : parts.loads)
-    works.push_back(side * work_of(load, parts, part, motion));
+                            const std::vector<RigidPart<dim>>& rigid, std::size_t k,
+                            const Twist<dim>& motion) {
+  const Closing contact = closing_of(parts, rigid[k], motion);
+  if (!contact.is_one_sided()) return;
+  const double side = contact.closes > contact.opens ? 1 : -1;
+  const Foundation<dim> foundation(parts, rigid, parts.mesh.nodes);
+  const std::vector<Pose<dim>> at_first(rigid.size(), Pose<dim>::Identity());
   for (const Phase<dim>& phase : parts.instants())
     for (const LoadTime& at : load_times(scene, parts.loads)) {
-      double pressing = 0;
-      for (std::size_t k = 0; k < works.size(); ++k)
-        pressing += phase.load * parts.loads[k].history.factor(at.t, at.within) * works[k];
+      const double pressing = side * phase.load * foundation.loads(at_first, at)[k].dot(motion);
       if (pressing <= 0)
         throw InputError(fmt::format(
             "{}: [[load]]: expected loads that press {} at any time, since nothing else holds them "
             "there, but {} at t = {:g} s{}",
             scene.path().string(),
             parts.pairs.empty() ? "the bodies on the counter-body"
-                                : name_of(parts, part) + " and what it touches on each other",
+                                : name_of(parts, rigid[k]) + " and what it touches on each other",
             pressing < 0 ? "they pull them apart" : "none presses them", at.t,
             parts.cycle ? fmt::format(", tau = {:.3g} of the cycle", phase.position) : ""));
     }
@@ -91,10 +59,11 @@ void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
 /// What holds a part by contact: its partner, in the direction in which this comes, or other
 /// bodies, across the surfaces.
 template <int dim, class Hold>
-void hold_by_contact(const AssemblyParts<dim>& parts, const NodesOfPart& part, const Hold& holds) {
+void hold_by_contact(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
+                     const Hold& holds) {
   if (!parts.pairs.empty()) {
     for (const ContactPatch<dim>& patch : contact_nodes_of(parts))
-      if (part[patch.node]) holds(patch.node, patch.initial_normal);
+      if (part.has(patch.node)) holds(patch.node, patch.initial_normal);
     return;
   }
   if (parts.interface.force) return;
@@ -105,14 +74,10 @@ void hold_by_contact(const AssemblyParts<dim>& parts, const NodesOfPart& part, c
 
 template <int dim>
 void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
-                       const RigidPart<dim>& rigid) {
+                       const std::vector<RigidPart<dim>>& rigid, std::size_t k) {
   constexpr int modes = rigid_motions_of(dim);
-  NodesOfPart part(parts.mesh.nodes.size(), 0);
-  for (const int node : rigid.nodes) part[node] = 1;
-  const auto velocities = [&](const Vector<dim>& X) {
-    return rigid_velocities<dim>(X, rigid.centre, rigid.size);
-  };
-  Eigen::MatrixXd held = resisted(parts, rigid, parts.mesh.nodes);
+  const RigidPart<dim>& part = rigid[k];
+  Eigen::MatrixXd held = resisted(parts, part, parts.mesh.nodes);
   constexpr double nothing = 1e-9;
   const Spectrum without_contact = spectrum_of(held);
   const auto loose = [](const Eigen::VectorXd& values) {
@@ -120,7 +85,9 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
   };
   // The contact holds in one direction; without friction it does not hold along the surface.
   hold_by_contact(parts, part, [&](int node, const Vector<dim>& direction) {
-    const Eigen::VectorXd row = velocities(parts.mesh.nodes[node]).transpose() * direction;
+    const Eigen::VectorXd row =
+        rigid_velocities<dim>(parts.mesh.nodes[node], part.centre, part.size).transpose() *
+        direction;
     held += row * row.transpose();
   });
   const auto [values, vectors] = spectrum_of(held);
@@ -128,9 +95,7 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
   if (free == 0) {
     // Several motions may be resisted together, as by a prism in a groove.
     if (!parts.interface.force && loose(without_contact.values) == 1)
-      require_pressing_loads<dim>(scene, parts, part, [&](const Vector<dim>& X) -> Vector<dim> {
-        return velocities(X) * without_contact.vectors.col(0);
-      });
+      require_pressing_loads<dim>(scene, parts, rigid, k, without_contact.vectors.col(0));
     return;
   }
   throw InputError(fmt::format(
@@ -148,8 +113,9 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
 template <int dim>
 void require_held(const Scene& scene, const AssemblyParts<dim>& parts, const std::string& hint) {
   Mistakes mistakes;
-  for (const RigidPart<dim>& part : rigid_parts(parts, parts.mesh.nodes))
-    mistakes.collect([&] { require_part_held(scene, parts, part); });
+  const std::vector<RigidPart<dim>> rigid = rigid_parts(parts, parts.mesh.nodes);
+  for (std::size_t k = 0; k < rigid.size(); ++k)
+    mistakes.collect([&] { require_part_held(scene, parts, rigid, k); });
   mistakes.require_none();
   const RigidBalance<dim> balance(
       parts, places_over_cycle(parts).front(),

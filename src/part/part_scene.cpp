@@ -18,6 +18,7 @@
 #include "part/first_loading.hpp"
 #include "part/graded_mesh.hpp"
 #include "part/groups.hpp"
+#include "part/held_bodies.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 #include "part/nominal_speed.hpp"

@@ -10,7 +10,7 @@
 
 #include "model/bring_together.hpp"
 #include "model/rigid_balance.hpp"
-#include "part/supports.hpp"
+#include "part/held_bodies.hpp"
 
 namespace gnomon::part {
 
@@ -42,31 +42,6 @@ bool overlap(const AssemblyParts<dim>& parts) {
       if (travel_to_touch<dim>(pair, pair.approach, x) < -deep * size) return true;
   }
   return false;
-}
-
-/// What is free of a part, in a moment, along its loads.
-template <int dim>
-struct Driven {
-  const RigidPart<dim>& part;
-  Twist<dim> along;
-};
-
-/// Whether a motion opens the contact of a part everywhere.
-template <int dim>
-bool opens(const AssemblyParts<dim>& parts, const Driven<dim>& driven) {
-  constexpr double oblique = 1e-3;
-  std::vector<char> own(parts.mesh.nodes.size(), 0);
-  for (const int node : driven.part.nodes) own[static_cast<std::size_t>(node)] = 1;
-  double away = 0, back = 0;
-  for (const ContactPatch<dim>& patch : contact_nodes_of(parts)) {
-    if (!own[static_cast<std::size_t>(patch.node)]) continue;
-    const Vector<dim> velocity =
-        rigid_velocities<dim>(patch.initial_position, driven.part.centre, driven.part.size) *
-        driven.along;
-    const double closes = patch.initial_area * patch.initial_normal.dot(velocity);
-    (closes > 0 ? back : away) += std::abs(closes);
-  }
-  return away > 0 && back <= oblique * away;
 }
 
 template <int dim>
@@ -108,7 +83,8 @@ void require_pressed_pairs(const Scene& scene, const AssemblyParts<dim>& parts) 
             phase.load * (rigid[k].loose * (rigid[k].loose.transpose() * loads[k]));
         if (along.norm() <= least) continue;
         driven = true;
-        if (opens<dim>(parts, {rigid[k], along}))
+        const Closing contact = closing_of(parts, rigid[k], along);
+        if (contact.opens > contact.closes && contact.is_one_sided())
           throw unpressed(scene, parts, rigid[k], when,
                           description_of<dim>(along, rigid[k], parts.section()),
                           "its loads pull it off there");
