@@ -71,6 +71,12 @@ private:
   NodalField<dim> place_;     // r of every contact node there
 };
 
+/// Values of all fields over the second cycle of a path, with the memory at its beginning, at the
+/// initial shape (docs/fretting.md): the load grows where the path begins, and two cycles follow,
+/// phase by phase. Throws SolutionError.
+template <int dim>
+FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters& counters);
+
 /// The phases of a path, each in two halves.
 template <int dim>
 std::vector<Phase<dim>> halved(const Assembly<dim>& assembly);

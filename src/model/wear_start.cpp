@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "base/spectrum.hpp"
+#include "model/path_march.hpp"
 #include "model/rigid_balance.hpp"
 
 namespace gnomon {

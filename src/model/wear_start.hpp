@@ -57,12 +57,6 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
                             Counters& counters,
                             const std::function<void(std::span<double> y)>& passed = {});
 
-/// Values of all fields over the second cycle of a path, with the memory at its beginning, at the
-/// initial shape (docs/fretting.md): the load grows where the path begins, and two cycles follow,
-/// phase by phase. Throws SolutionError.
-template <int dim>
-FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters& counters);
-
 /// Why there is no equilibrium in a phase, for the user.
 template <int dim>
 std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
