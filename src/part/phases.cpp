@@ -157,12 +157,11 @@ using Steps = std::vector<Eigen::Matrix<double, dim + 1, 1>>;
 /// Displacements in equal parts of the cycle in which the surface moves, in their order.
 template <int dim>
 Steps<dim> moving_steps(const CyclicMotion<dim>& cycle, const CounterBody<dim>& rest) {
-  constexpr int samples = 2048;
+  constexpr int many = 2048;
   Steps<dim> steps;
   double most = 0;
-  for (int k = 0; k < samples; ++k) {
-    steps.push_back(surface_velocity(cycle, rest, (k + 0.5) / samples) *
-                    (cycle.cycle.period / samples));
+  for (int k = 0; k < many; ++k) {
+    steps.push_back(surface_velocity(cycle, rest, (k + 0.5) / many) * (cycle.cycle.period / many));
     most = std::max(most, steps.back().norm());
   }
   std::erase_if(steps, [most](const auto& step) { return step.norm() <= 1e-9 * most; });
