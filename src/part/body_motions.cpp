@@ -9,6 +9,7 @@
 #include <gnomon/shapes/shape_keys.hpp>
 
 #include "part/histories.hpp"
+#include "part/part_cycle.hpp"
 
 namespace gnomon::part {
 
@@ -113,12 +114,7 @@ BodyCycle<dim> read_motion(const Scene& scene, const std::string& table, Section
                              read_cycle_function(scene, cycle + "z")};
   body.cycle.rotation = read_cycle_function(scene, rotation);
   if (body.cycle.rotation) body.axis = read_axis<dim>(scene, table, rotation, section);
-  if (section == Section::meridian) {
-    for (const char* of : {"x", "y"})
-      if (scene.given(cycle + of))
-        refuse(scene, cycle + of, "only " + cycle + "z, along the axis, in an axisymmetric scene");
-    std::swap(body.cycle.displacement[1], body.cycle.displacement[2]);  // coordinates (r, z)
-  }
+  if (section == Section::meridian) put_in_meridian(scene, cycle, body.cycle);
   if (!body.moves() && !scene.given(table + ".velocity") && !scene.given(table + ".rotation"))
     throw InputError(fmt::format("{}: [[motion]]: expected {}.velocity, .rotation or .cycle",
                                  scene.path().string(), table));

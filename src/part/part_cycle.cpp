@@ -14,16 +14,6 @@ namespace gnomon::part {
 namespace {
 
 template <int dim>
-void check_displacement(const Scene& scene, Cycle& cycle) {
-  if (dim == 3 || section_of(scene) == Section::plane) return;
-  for (const char* key : {"cycle.x", "cycle.y"})
-    if (scene.given(key))
-      throw InputError(scene.where(key) +
-                       ": expected only cycle.z, along the axis, in an axisymmetric scene");
-  std::swap(cycle.displacement[1], cycle.displacement[2]);  // coordinates (r, z)
-}
-
-template <int dim>
 CycleAxis<dim> read_axis(const Scene& scene, const CounterBody<dim>& body) {
   CycleAxis<dim> axis;
   if (!scene.given("cycle.rotation")) return axis;
@@ -70,6 +60,15 @@ std::vector<std::optional<CycleFunction>> read_forces_of_guides(const Scene& sce
 
 }  // namespace
 
+void put_in_meridian(const Scene& scene, const std::string& prefix, Cycle& cycle) {
+  for (const char* of : {"x", "y"})
+    if (scene.given(prefix + of))
+      throw InputError(
+          fmt::format("{}: expected only {}z, along the axis, in an axisymmetric scene",
+                      scene.where(prefix + of), prefix));
+  std::swap(cycle.displacement[1], cycle.displacement[2]);
+}
+
 std::optional<double> largest_force(const Cycle& cycle) {
   if (!cycle.force) return {};
   double most = 0;
@@ -91,7 +90,7 @@ std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene,
     throw InputError(scene.where("counter_body.motion.rotation") +
                      ": expected cycle.rotation instead in a scene with a cycle, because the shape "
                      "changes its place when it turns");
-  check_displacement<dim>(scene, *cycle);
+  if (dim == 2 && section_of(scene) == Section::meridian) put_in_meridian(scene, "cycle.", *cycle);
   check_force(scene, *cycle, other);
   const CycleAxis<dim> axis = read_axis(scene, other);
   if (axis.turns_shape && std::ranges::any_of(other.guides, &Guide<dim>::turns))

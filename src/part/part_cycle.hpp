@@ -16,6 +16,10 @@ inline constexpr int samples = 64;
 template <int dim>
 std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene, const CounterBody<dim>& other);
 
+/// Displacements of an axisymmetric scene along its coordinates (r, z). Throws InputError where
+/// PREFIXx or PREFIXy gives another one than along the axis.
+void put_in_meridian(const Scene& scene, const std::string& prefix, Cycle& cycle);
+
 /// The largest force of cycle.force; nothing without it.
 std::optional<double> largest_force(const Cycle& cycle);
 
