@@ -9,6 +9,8 @@
 #include <numeric>
 #include <utility>
 
+#include "part/histories.hpp"
+
 namespace gnomon::part {
 
 std::vector<Key> body_mesh_keys() {
@@ -109,8 +111,7 @@ void tell_apart(std::vector<ImportedMesh>& meshes, const std::vector<std::string
 }
 
 ImportedMesh read_meshes_of_bodies(const Scene& scene, const FineZone& fine) {
-  if (scene.has("mesh.file"))
-    throw InputError(scene.where("mesh.file") + ": expected none beside body.#.mesh");
+  if (scene.has("mesh.file")) refuse(scene, "mesh.file", "none beside body.#.mesh");
   std::vector<ImportedMesh> meshes;
   std::vector<std::string> bodies;
   for (const std::string& number : scene.chosen_names("body.#.name")) {
@@ -121,8 +122,7 @@ ImportedMesh read_meshes_of_bodies(const Scene& scene, const FineZone& fine) {
     meshes.push_back(read_file(scene, key, moved_back(scene, table + ".shift", fine)));
     bodies.push_back(scene.text(table + ".name"));
     if (meshes.back().dimension != meshes.front().dimension)
-      throw InputError(scene.where(key) +
-                       ": expected meshes that are all in the plane, or in space");
+      refuse(scene, key, "meshes that are all in the plane, or in space");
     move(scene, table + ".shift", meshes.back());
     make_body(meshes.back(), bodies.back());
   }

@@ -45,10 +45,6 @@ std::vector<Key> motion_keys_of_bodies() {
 
 namespace {
 
-void refuse(const Scene& scene, const std::string& key, const std::string& expected) {
-  throw InputError(scene.where(key) + ": expected " + expected);
-}
-
 template <int dim>
 RigidMotion<dim> read_velocity(const Scene& scene, const std::string& key) {
   RigidMotion<dim> motion;

@@ -9,16 +9,13 @@
 
 #include "expressions/expression_tables.hpp"
 #include "expressions/expression_text.hpp"
+#include "part/histories.hpp"
 
 namespace gnomon::part {
 
 namespace {
 
 constexpr const char* key = "friction.factor";
-
-[[noreturn]] void refuse(const Scene& scene, const std::string& expected) {
-  throw InputError(scene.where(key) + ": expected " + expected);
-}
 
 WearLaw factor_by_text(const Scene& scene, double nominal_speed) {
   ExpressionNames names;
@@ -29,7 +26,7 @@ WearLaw factor_by_text(const Scene& scene, double nominal_speed) {
     const auto used = tokens_in(factor.text());
     for (const char* name : {"p", "v", "q"})
       if (used.contains(name))
-        refuse(scene, fmt::format("a function of h, t, s, x0, y0, z0, got {}", name));
+        refuse(scene, key, fmt::format("a function of h, t, s, x0, y0, z0, got {}", name));
     return expression_wear_law(factor, scene.real("time.end"), nominal_speed);
   } catch (const ExpressionError& error) {
     throw InputError(scene.where(key) + ": " + error.what());
@@ -66,14 +63,13 @@ template <int dim>
 FrictionFactor read_friction_factor(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (!scene.given(key)) return {};
   if (!parts.interface.sticks && !parts.interface.rolling)
-    refuse(scene, "friction.stick = true, or [rolling], beside it");
+    refuse(scene, key, "friction.stick = true, or [rolling], beside it");
   if (reads_in_rates(scene, "f"))
-    throw InputError(scene.where("wear.rate") +
-                     ": expected no f beside friction.factor: q is f p v with its factor");
+    refuse(scene, "wear.rate", "no f beside friction.factor: q is f p v with its factor");
   if (!parts.pairs.empty() && reads_in_rates(scene, "q"))
-    throw InputError(scene.where("wear.rate") +
-                     ": expected no q beside friction.factor in a [[pair]], since both of its "
-                     "surfaces would need the factor of the other one");
+    refuse(scene, "wear.rate",
+           "no q beside friction.factor in a [[pair]], since both of its surfaces would need the "
+           "factor of the other one");
   FrictionFactor factor(factor_by_text(scene, *parts.interface.speed));
   require_values(scene, factor, parts);
   return factor;

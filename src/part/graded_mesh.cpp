@@ -13,6 +13,7 @@
 
 #include "model/expected_contact.hpp"
 #include "part/body_meshes.hpp"
+#include "part/histories.hpp"
 
 namespace gnomon::part {
 
@@ -124,8 +125,7 @@ std::string told(const ImportedMesh& mesh, const FineZone& fine, double factor) 
 
 ImportedMesh read_graded_mesh(const Scene& scene) {
   if (scene.given(size_key) && !has_geometry(scene))
-    throw InputError(scene.where(size_key) +
-                     ": expected a geometry (.geo, .step or .stp), which gnomon meshes");
+    refuse(scene, size_key, "a geometry (.geo, .step or .stp), which gnomon meshes");
   ImportedMesh mesh = read_mesh(scene);
   if (!scene.given(size_key)) return mesh;
   // A mesh says where the next one has to be fine only as well as it is fine itself.

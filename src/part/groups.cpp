@@ -162,9 +162,9 @@ void require_moving_shape(const Scene& scene, const std::vector<ContactPatch<dim
     return !shape.free(patch.node).isZero(0);
   };
   if (!asks_for_wear(scene) || std::ranges::any_of(patches, may_move)) return;
-  throw InputError(scene.where("wear.on") +
-                   ": expected surfaces that can wear, but all their nodes lie on sides that hold "
-                   "the shape: shape.hold, or curved sides");
+  refuse(scene, "wear.on",
+         "surfaces that can wear, but all their nodes lie on sides that hold the shape: "
+         "shape.hold, or curved sides");
 }
 
 template void require_moving_shape(const Scene&, const std::vector<ContactPatch<2>>&,

@@ -8,6 +8,10 @@
 
 namespace gnomon::part {
 
+void refuse(const Scene& scene, const std::string& key, const std::string& expected) {
+  throw InputError(scene.where(key) + ": expected " + expected);
+}
+
 std::vector<std::string> entries_of(const Scene& scene, const std::string& table,
                                     const std::vector<Key>& keys,
                                     const std::vector<std::string>& needed) {
@@ -70,7 +74,7 @@ LoadHistory read_history(const Scene& scene, const std::string& prefix) {
                                  scene.where(factors_name), times_name, times.size(),
                                  factors.size()));
   if (LoadHistory::first_misplaced(times) < times.size())
-    throw InputError(scene.where(times_name) + ": expected ascending times, one twice for a jump");
+    refuse(scene, times_name, "ascending times, one twice for a jump");
   return {times, factors};
 }
 

@@ -1,4 +1,5 @@
-// What supports and loads of a part share: entries of arrays of tables, directions, histories.
+// What readers of a part's scene share: refusals, entries of arrays of tables, directions,
+// histories.
 #pragma once
 
 #include <functional>
@@ -9,6 +10,9 @@
 #include <vector>
 
 namespace gnomon::part {
+
+/// Throws InputError for the value of a key, in the place of which something else was expected.
+[[noreturn]] void refuse(const Scene& scene, const std::string& key, const std::string& expected);
 
 /// The entries of `[[table]]`, which has these keys: "load.1" and so on. Throws InputError where
 /// one lacks a needed key.

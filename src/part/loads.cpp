@@ -90,12 +90,11 @@ template <int dim>
 void check_axis(const Scene& scene, const std::string& load, bool moment) {
   const bool axis = scene.given(load + ".axis");
   if (axis && (!moment || dim == 2))
-    throw InputError(scene.where(load + ".axis") + ": expected none" +
-                     (moment ? " in the plane" : " without " + load + ".moment"));
-  if (moment && dim == 3 && !axis)
-    throw InputError(scene.where(load + ".moment") + ": expected also " + load + ".axis");
+    refuse(scene, load + ".axis",
+           "none" + (moment ? " in the plane" : " without " + load + ".moment"));
+  if (moment && dim == 3 && !axis) refuse(scene, load + ".moment", "also " + load + ".axis");
   if (moment && section_of(scene) == Section::meridian)
-    throw InputError(scene.where(load + ".moment") + ": expected none in an axisymmetric scene");
+    refuse(scene, load + ".moment", "none in an axisymmetric scene");
 }
 
 /// The key of the load that is given. Throws unless it is one.
@@ -142,8 +141,8 @@ Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedB
   if (kind == "acceleration")
     for (const Body& body : bodies)
       if (body.density == 0)
-        throw InputError(scene.where(key) + ": expected also body.density" +
-                         (body.name.empty() ? "" : " of \"" + body.name + "\""));
+        refuse(scene, key,
+               "also body.density" + (body.name.empty() ? "" : " of \"" + body.name + "\""));
   if (kind == "acceleration")
     result.forces = weight<dim>(part.mesh, bodies, vector, section);
   else
@@ -199,11 +198,10 @@ std::vector<CycleFunction> factors_of_loads(const Scene& scene) {
   for (const std::string& load : tables_of_loads(scene, true)) {
     const std::string key = load + ".cycle";
     if (!may_stick(scene))
-      throw InputError(scene.where(key) +
-                       ": expected friction.stick = true, or stick of [[pair]], beside it; "
-                       "cycle.load changes all loads that press");
-    if (!scene.given("cycle.period"))
-      throw InputError(scene.where(key) + ": expected also cycle.period");
+      refuse(scene, key,
+             "friction.stick = true, or stick of [[pair]], beside it; cycle.load changes all loads "
+             "that press");
+    if (!scene.given("cycle.period")) refuse(scene, key, "also cycle.period");
     factors.push_back(*read_cycle_function(scene, key));
   }
   return factors;

@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "part/histories.hpp"
 #include "part/phases.hpp"
 
 namespace gnomon::part {
@@ -69,19 +70,19 @@ Patches<dim> first_touch(const Scene& scene, const Instants<dim>& instants,
     });
   };
   if (!faces(-1))
-    throw InputError(scene.where("counter_body.press.direction") +
-                     ": expected a direction into the body, but " +
-                     (faces(1) ? "the surfaces of wear.on face the same way"
-                               : "it lies in the surfaces of wear.on and does not press on them"));
+    refuse(scene, "counter_body.press.direction",
+           std::string("a direction into the body, but ") +
+               (faces(1) ? "the surfaces of wear.on face the same way"
+                         : "it lies in the surfaces of wear.on and does not press on them"));
   if (!std::isfinite(least) && meets_between_nodes(instants, all))
     throw InputError(scene.where("counter_body.shape") +
                      ": the counter-body meets the surfaces of wear.on between their nodes alone, "
                      "expected a mesh that is finer there");
   if (!std::isfinite(least))
-    throw InputError(scene.where("counter_body.shape") +
-                     ": expected a counter-body that meets the surfaces of wear.on when it moves "
-                     "along counter_body.press.direction, but it passes by: change its place, that "
-                     "direction, or its solid side (normal of a plane, else counter_body.side)");
+    refuse(scene, "counter_body.shape",
+           "a counter-body that meets the surfaces of wear.on when it moves along "
+           "counter_body.press.direction, but it passes by: change its place, that direction, or "
+           "its solid side (normal of a plane, else counter_body.side)");
   return touching;
 }
 

@@ -8,6 +8,7 @@
 #include <gnomon/cycles/cycle_scene.hpp>
 
 #include "model/connected_parts.hpp"
+#include "part/histories.hpp"
 #include "part/part_cycle.hpp"
 #include "part/phases.hpp"
 #include "part/stick_path.hpp"
@@ -22,8 +23,7 @@ void require_cycle_of_bodies(const Scene& scene) {
     if (scene.given(key))
       throw InputError(fmt::format("{}: expected motion.#.cycle.{} of a body beside [[pair]]",
                                    scene.where(key), std::string(key).substr(6)));
-  if (scene.given("cycle.force"))
-    throw InputError(scene.where("cycle.force") + ": expected cycle.load beside [[pair]]");
+  if (scene.given("cycle.force")) refuse(scene, "cycle.force", "cycle.load beside [[pair]]");
 }
 
 /// Bodies that share nodes have one place.
@@ -61,9 +61,9 @@ void read_cycle_of_bodies(const Scene& scene, const std::map<std::string, BodyCy
       cycle->load || !parts.swinging_loads.empty() ||
       std::ranges::any_of(motions, [](const auto& of) { return of.second.moves(); });
   if (!changes)
-    throw InputError(scene.where("cycle.period") +
-                     ": expected what changes over the cycle: motion.#.cycle of a body, "
-                     "cycle.load or load.#.cycle; a steady motion needs no [cycle]");
+    refuse(scene, "cycle.period",
+           "what changes over the cycle: motion.#.cycle of a body, cycle.load or load.#.cycle; a "
+           "steady motion needs no [cycle]");
   require_common_places(scene, motions, parts);
   CyclicMotion<dim> motion{.cycle = *cycle, .axis = {}};
   for (const Body& body : parts.bodies) {

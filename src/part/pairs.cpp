@@ -68,16 +68,16 @@ std::vector<std::string> names_of_bodies(const Scene& scene) {
 void require_two_bodies(const Scene& scene, const std::string& pair) {
   const std::string key = pair + ".bodies";
   const std::vector<std::string>& names = scene.texts(key);
-  if (names.size() != 2) throw InputError(scene.where(key) + ": expected the names of two bodies");
+  if (names.size() != 2) refuse(scene, key, "the names of two bodies");
   const std::vector<std::string> all = names_of_bodies(scene);
   for (const std::string& name : names)
     if (std::ranges::find(all, name) == all.end())
       throw InputError(fmt::format("{}: expected names of [[body]], \"{}\", got \"{}\"",
                                    scene.where(key), fmt::join(all, "\", \""), name));
   if (names[0] == names[1] && !scene.given(pair + ".surfaces"))
-    throw InputError(scene.where(key) +
-                     ": expected the names of two bodies, or pair.surfaces, two groups of the one "
-                     "body that touch each other");
+    refuse(scene, key,
+           "the names of two bodies, or pair.surfaces, two groups of the one body that touch each "
+           "other");
 }
 
 }  // namespace
@@ -91,8 +91,7 @@ bool may_stick(const Scene& scene) {
     return scene.given(key) ? scene.flag(key) : all;
   };
   for (const std::string& pair : pairs)
-    if (of(pair) != of(pairs.front()))
-      throw InputError(scene.where(pair + ".stick") + ": expected the same in every [[pair]]");
+    if (of(pair) != of(pairs.front())) refuse(scene, pair + ".stick", "the same in every [[pair]]");
   return of(pairs.front());
 }
 
@@ -110,7 +109,7 @@ void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
         const std::vector<std::string>& names = scene.texts(pair + ".bodies");
         if (names[0] == names[1]) return;  // several folds of one body
         if (!seen.insert({names[0], names[1]}).second)
-          throw InputError(scene.where(pair + ".bodies") + ": expected each pair of bodies once");
+          refuse(scene, pair + ".bodies", "each pair of bodies once");
       });
   });
 }
@@ -145,7 +144,7 @@ Facets<dim> boundary_of(const Scene& scene, const std::string& pair, const Impor
     return result;
   }
   for (const std::string& name : scene.texts(key)) take(group_facets(scene, key, name, part));
-  if (result.empty()) throw InputError(scene.where(key) + ": expected surfaces of both bodies");
+  if (result.empty()) refuse(scene, key, "surfaces of both bodies");
   return result;
 }
 
@@ -239,9 +238,9 @@ std::array<Facets<dim>, 2> surfaces_of_one(const Scene& scene, const std::string
   const std::string key = pair + ".surfaces";
   const std::vector<std::string>& names = scene.texts(key);
   if (names.size() != 2)
-    throw InputError(scene.where(key) +
-                     ": expected two groups, one for each of the surfaces that touch, because "
-                     "they belong to one body or to bonded ones");
+    refuse(scene, key,
+           "two groups, one for each of the surfaces that touch, because they belong to one body "
+           "or to bonded ones");
   std::array<Facets<dim>, 2> result;
   std::array<std::set<int>, 2> nodes;
   for (const std::size_t side : {0, 1}) {

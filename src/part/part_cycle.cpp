@@ -32,13 +32,11 @@ template <int dim>
 void check_force(const Scene& scene, const Cycle& cycle, const CounterBody<dim>& other) {
   if (!cycle.force) return;
   if (!other.guides.empty() && other.guides.front().force)
-    throw InputError(scene.where("cycle.force") +
-                     ": expected either cycle.force or counter_body.press.force, got both");
+    refuse(scene, "cycle.force", "either cycle.force or counter_body.press.force, got both");
   if (!scene.given("counter_body.press.direction"))
-    throw InputError(scene.where("cycle.force") + ": expected also counter_body.press.direction");
+    refuse(scene, "cycle.force", "also counter_body.press.direction");
   if (scene.given("counter_body.press.approach"))
-    throw InputError(scene.where("cycle.force") +
-                     ": expected no counter_body.press.approach beside a force");
+    refuse(scene, "cycle.force", "no counter_body.press.approach beside a force");
 }
 
 template <int dim>
@@ -52,8 +50,7 @@ std::vector<std::optional<CycleFunction>> read_forces_of_guides(const Scene& sce
     if (!guide.force)
       throw InputError(fmt::format("{}: expected also {}.force, or .moment, which it multiplies",
                                    scene.where(key), guide.key));
-    if (!scene.flag("friction.stick"))
-      throw InputError(scene.where(key) + ": expected friction.stick = true beside it");
+    if (!scene.flag("friction.stick")) refuse(scene, key, "friction.stick = true beside it");
   }
   return forces;
 }
@@ -63,9 +60,7 @@ std::vector<std::optional<CycleFunction>> read_forces_of_guides(const Scene& sce
 void put_in_meridian(const Scene& scene, const std::string& prefix, Cycle& cycle) {
   for (const char* of : {"x", "y"})
     if (scene.given(prefix + of))
-      throw InputError(
-          fmt::format("{}: expected only {}z, along the axis, in an axisymmetric scene",
-                      scene.where(prefix + of), prefix));
+      refuse(scene, prefix + of, "only " + prefix + "z, along the axis, in an axisymmetric scene");
   std::swap(cycle.displacement[1], cycle.displacement[2]);
 }
 
@@ -83,19 +78,19 @@ std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene,
   if (!cycle) {
     for (const Guide<dim>& guide : other.guides)
       if (const std::string key = guide.key + ".cycle"; !guide.key.empty() && scene.given(key))
-        throw InputError(scene.where(key) + ": expected also cycle.period");
+        refuse(scene, key, "also cycle.period");
     return {};
   }
   if (other.turning)
-    throw InputError(scene.where("counter_body.motion.rotation") +
-                     ": expected cycle.rotation instead in a scene with a cycle, because the shape "
-                     "changes its place when it turns");
+    refuse(scene, "counter_body.motion.rotation",
+           "cycle.rotation instead in a scene with a cycle, because the shape changes its place "
+           "when it turns");
   if (dim == 2 && section_of(scene) == Section::meridian) put_in_meridian(scene, "cycle.", *cycle);
   check_force(scene, *cycle, other);
   const CycleAxis<dim> axis = read_axis(scene, other);
   if (axis.turns_shape && std::ranges::any_of(other.guides, &Guide<dim>::turns))
-    throw InputError(scene.where("cycle.rotation") +
-                     ": expected none beside a moment in [[counter_body.press]]: the shape turns");
+    refuse(scene, "cycle.rotation",
+           "none beside a moment in [[counter_body.press]]: the shape turns");
   return CyclicMotion<dim>{std::move(*cycle), axis, read_forces_of_guides(scene, other)};
 }
 

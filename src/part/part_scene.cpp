@@ -90,8 +90,7 @@ Motion<dim> read_motion(const Scene& scene, Section section,
   motion.partner = meeting.partner;
   motion.speed = meeting.speed;
   motion.rolling = read_rolling<dim>(scene, outward_normal(patches), motion.partner);
-  if (cycle && motion.rolling)
-    throw InputError(scene.where("rolling.velocity") + ": expected no [cycle] beside it");
+  if (cycle && motion.rolling) refuse(scene, "rolling.velocity", "no [cycle] beside it");
   if (cycle)
     motion.phases = may_stick(scene) ? read_path(scene, *cycle, motion.partner, motion.force)
                                      : read_phases(scene, *cycle, motion.partner, motion.force);
@@ -152,13 +151,12 @@ void require_partner(const Scene& scene) {
     return;
   }
   for (const Key& key : counter_body_keys())
-    if (scene.given(key.name))
-      throw InputError(scene.where(key.name) + ": expected none beside [[pair]]");
+    if (scene.given(key.name)) refuse(scene, key.name, "none beside [[pair]]");
   if (!has_bodies(scene))
     throw InputError(scene.path().string() + ": [[pair]]: expected also a [[body]] for each body");
   if (scene.real("contact.initial_gap") != 0)
-    throw InputError(scene.where("contact.initial_gap") +
-                     ": expected none beside [[pair]]: the meshes say where the bodies are");
+    refuse(scene, "contact.initial_gap",
+           "none beside [[pair]]: the meshes say where the bodies are");
 }
 
 /// All parts but the scales and where the shape is held, or all mistakes in them.

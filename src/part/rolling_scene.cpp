@@ -10,6 +10,7 @@
 
 #include "part/bodies.hpp"
 #include "part/body_motions.hpp"
+#include "part/histories.hpp"
 
 namespace gnomon::part {
 
@@ -32,10 +33,6 @@ bool rolls(const Scene& scene) {
 namespace {
 
 constexpr double along_surface = 1e-3;  // cosine
-
-[[noreturn]] void refuse(const Scene& scene, const std::string& key, const std::string& expected) {
-  throw InputError(scene.where(key) + ": expected " + expected);
-}
 
 template <int dim>
 Vector<dim> read_along(const Scene& scene, const std::string& key, const Vector<dim>& outward) {
@@ -100,8 +97,8 @@ void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>&
   for (Guide<dim>& guide : other.guides) {
     if (guide.turns())
       refuse(scene, guide.key + ".moment",
-             "a force along the surface in its place, beside "
-             "[rolling]: the moment divided by the radius");
+             "a force along the surface in its place, beside [rolling]: the moment divided by the "
+             "radius");
     if (std::abs(guide.along.dot(outward)) > along_surface) {
       pressing += guide.force.value_or(guide.travel ? guide.travel->factor(0) : 0) * guide.along;
       continue;

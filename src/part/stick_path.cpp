@@ -9,6 +9,7 @@
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
 
+#include "part/histories.hpp"
 #include "part/loads.hpp"
 
 namespace gnomon::part {
@@ -58,22 +59,22 @@ std::vector<double> extremes_of(const CyclicMotion<dim>& motion,
                                             functions.size()));
 }
 
-[[noreturn]] void refuse(const Scene& scene, const std::string& expected) {
-  throw InputError(scene.where("friction.stick") + ": expected " + expected);
+[[noreturn]] void refuse_path(const Scene& scene, const std::string& expected) {
+  refuse(scene, "friction.stick", expected);
 }
 
 /// Of the counter-body or of a body of pairs.
 template <int dim>
 void require_closed_path(const Scene& scene, const Cycle& cycle, const CycleAxis<dim>& axis) {
   if (axis.meridian)
-    refuse(scene, "no cycle.rotation in an axisymmetric scene: a path stays in the plane");
+    refuse_path(scene, "no cycle.rotation in an axisymmetric scene: a path stays in the plane");
   constexpr double rounding = 1e-6;
   if (const auto& rotation = cycle.rotation; rotation && std::abs(rotation->gap()) > rounding)
-    refuse(scene, "a rotation that ends where it begins, not whole turns");
+    refuse_path(scene, "a rotation that ends where it begins, not whole turns");
   if (dim == 2 && cycle.displacement[2])
-    refuse(scene, "no cycle.z beside it: in plane strain a path stays in the plane");
+    refuse_path(scene, "no cycle.z beside it: in plane strain a path stays in the plane");
   if (const std::vector<std::string> open = cycle.remarks(); !open.empty())
-    refuse(scene, "a motion that ends where it begins; " + open.front());
+    refuse_path(scene, "a motion that ends where it begins; " + open.front());
 }
 
 /// The number of phases, or given positions as extremes.
@@ -93,19 +94,19 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
   for (const BodyCycle<dim>& body : motion.bodies) {
     require_closed_path(scene, body.cycle, body.axis);
     if (body.motion.moves() || body.motion.across != 0 || !body.motion.across_by_x.isZero(0))
-      refuse(scene, "no motion.#.velocity or .rotation beside it: a steady motion does not stick");
+      refuse_path(scene,
+                  "no motion.#.velocity or .rotation beside it: a steady motion does not stick");
   }
   if (rest.motion.velocity.norm() + rest.motion.spin.norm() + std::abs(rest.motion.across) > 0)
-    refuse(scene, "no counter_body.motion beside it: a steady motion does not stick");
+    refuse_path(scene, "no counter_body.motion beside it: a steady motion does not stick");
   for (std::size_t k = 1; k < rest.guides.size(); ++k)
     for (int i = 0; i < dim; ++i)
       if (rest.guides[k].force && rest.guides[k].along[i] != 0 && motion.cycle.displacement[i])
-        refuse(scene,
-               fmt::format("no displacement over the cycle along {}.direction, where a force "
-                           "moves the counter-body",
-                           rest.guides[k].key));
+        refuse_path(scene, fmt::format("no displacement over the cycle along {}.direction, where a "
+                                       "force moves the counter-body",
+                                       rest.guides[k].key));
   if (motion.cycle.rotation && std::ranges::any_of(rest.guides, &Guide<dim>::turns))
-    refuse(scene, "no cycle.rotation beside a moment in [[counter_body.press]]");
+    refuse_path(scene, "no cycle.rotation beside a moment in [[counter_body.press]]");
   const std::vector<double> extremes = extremes_of(motion, factors_of_loads(scene));
   ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
   result.phases = path_phases(points_of(scene, extremes), motion, rest, force);
@@ -174,9 +175,9 @@ const Integrator& integrator_of(const Scene& scene) {
 /// What slides follows within a cycle, which methods that do not damp cannot.
 void require_damping(const Scene& scene) {
   if (integrator_of(scene).name == "theta" && scene.real("integrator.alpha") <= 0.5)
-    throw InputError(scene.where("integrator.alpha") +
-                     ": expected more than 0.5 beside friction.stick: the trapezoidal rule does "
-                     "not damp the memory of slip");
+    refuse(scene, "integrator.alpha",
+           "more than 0.5 beside friction.stick: the trapezoidal rule does not damp the memory of "
+           "slip");
 }
 
 }  // namespace
@@ -187,16 +188,16 @@ bool memory_follows(const Scene& scene) {
 
 template <int dim>
 void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {
-  if (!parts.cycle) refuse(scene, "also [cycle], by which it is driven to and fro, or [rolling]");
+  if (!parts.cycle)
+    refuse_path(scene, "also [cycle], by which it is driven to and fro, or [rolling]");
   require_damping(scene);
   if (*parts.interface.speed == 0 && reads_in_rates(scene, "s"))
-    throw InputError(scene.where("wear.rate") +
-                     ": expected no sliding distance s, or also wear.velocity: no motion gives it");
+    refuse(scene, "wear.rate", "no sliding distance s, or also wear.velocity: no motion gives it");
   if (!(parts.interface.friction > 0) ||
       std::ranges::any_of(parts.pairs, [](const auto& pair) { return !(pair.friction > 0); }))
-    throw InputError(scene.where("friction.coefficient") +
-                     ": expected a coefficient above zero beside friction.stick, and a friction "
-                     "above zero of every [[pair]]");
+    refuse(scene, "friction.coefficient",
+           "a coefficient above zero beside friction.stick, and a friction above zero of every "
+           "[[pair]]");
 }
 
 template ReadPhases<2> read_path(const Scene&, const CyclicMotion<2>&, const CounterBody<2>&,

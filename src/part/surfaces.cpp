@@ -44,8 +44,7 @@ std::vector<Surface<dim>> wearing_surfaces(const Scene& scene, const ImportedBod
                         scene.where("wear.on"), first->second, name));
     }
   }
-  if (surface_of.empty())
-    throw InputError(scene.where("wear.on") + ": expected one group of the mesh or more");
+  if (surface_of.empty()) refuse(scene, "wear.on", "one group of the mesh or more");
   return surfaces;
 }
 
