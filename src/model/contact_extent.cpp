@@ -42,6 +42,14 @@ ContactArea contact_area(const Assembly<dim>& body, const NodalField<dim>& d,
 }
 
 template <int dim>
+double wear_flux_of(const std::vector<PhaseContact<dim>>& phases, double copies) {
+  double flux = 0;
+  for (const auto& [weight, nodes] : phases)
+    for (const ContactNode<dim>& node : nodes) flux += weight * copies * node.area * node.wear_rate;
+  return sum_over_processes(flux);
+}
+
+template <int dim>
 std::optional<EdgePressure> edge_pressure(const Assembly<dim>& body,
                                           const std::vector<PhaseContact<dim>>& phases) {
   double inside = 0, at_edge = 0;
@@ -67,6 +75,8 @@ std::optional<EdgePressure> edge_pressure(const Assembly<dim>& body,
   return edge;
 }
 
+template double wear_flux_of(const std::vector<PhaseContact<2>>&, double);
+template double wear_flux_of(const std::vector<PhaseContact<3>>&, double);
 template ContactArea contact_area(const Assembly<2>&, const NodalField<2>&,
                                   const std::vector<ContactNode<2>>&);
 template ContactArea contact_area(const Assembly<3>&, const NodalField<3>&,

@@ -52,6 +52,10 @@ template <int dim>
 ContactArea contact_area(const Assembly<dim>& body, const NodalField<dim>& d,
                          const std::vector<ContactNode<dim>>& nodes);
 
+/// Volume that wears off per time, mean over the cycle [length^dim / time].
+template <int dim>
+double wear_flux_of(const std::vector<PhaseContact<dim>>& phases, double copies);
+
 /// The largest pressure of the phases, if it is at a node beside an open one.
 template <int dim>
 std::optional<EdgePressure> edge_pressure(const Assembly<dim>& body,
