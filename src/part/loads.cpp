@@ -10,7 +10,7 @@
 
 #include "part/groups.hpp"
 #include "part/histories.hpp"
-#include "part/pairs.hpp"
+#include "part/pair_keys.hpp"
 
 namespace gnomon::part {
 

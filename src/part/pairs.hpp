@@ -1,7 +1,6 @@
 // Contact of bodies with each other: [[pair]] and [[motion]].
 #pragma once
 
-#include <gnomon/base/mistakes.hpp>
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/model/magnitudes.hpp>
@@ -10,19 +9,6 @@
 #include <vector>
 
 namespace gnomon::part {
-
-/// Keys of `[[pair]]` and `[[motion]]`.
-std::vector<Key> pair_keys();
-
-/// Whether the bodies meet each other, and no counter-body.
-bool has_pairs(const Scene& scene);
-
-/// Whether friction may stick: in [[pair]], or friction.stick. Throws InputError where pairs
-/// differ.
-bool may_stick(const Scene& scene);
-
-/// What is wrong in [[pair]] whatever the mesh is.
-void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes);
 
 /// Sets pairs, surfaces, approach and speed of parts that have bodies, supports and loads: all
 /// boundary of the bodies that faces the partner. Throws InputError.

@@ -12,7 +12,7 @@
 #include "part/graded_mesh.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
-#include "part/pairs.hpp"
+#include "part/pair_keys.hpp"
 #include "part/rolling_scene.hpp"
 #include "part/shape_support.hpp"
 #include "part/supports.hpp"

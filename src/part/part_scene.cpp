@@ -23,6 +23,7 @@
 #include "part/loads.hpp"
 #include "part/nominal_speed.hpp"
 #include "part/pair_cycle.hpp"
+#include "part/pair_keys.hpp"
 #include "part/pairs.hpp"
 #include "part/phases.hpp"
 #include "part/rolling_scene.hpp"

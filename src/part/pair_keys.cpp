@@ -1,0 +1,121 @@
+#include "part/pair_keys.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/part/part_scene.hpp>
+#include <set>
+
+#include "part/body_motions.hpp"
+#include "part/histories.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+std::vector<Key> keys_of_pairs() {
+  return {texts_key("pair.#.bodies", absent("needed in every [[pair]]"),
+                    "two bodies, by their names, that touch each other; one name twice: surfaces "
+                    "of one body"),
+          texts_key("pair.#.surfaces", absent("all boundary that faces the other body"),
+                    "groups of the mesh to which their contact is restricted; of one body, or of "
+                    "bonded ones: the two that touch"),
+          real_key("pair.#.friction", "", absent("friction.coefficient"), {.min = 0, .max = 1e30},
+                   "Coulomb's coefficient of friction of the pair"),
+          {.name = "pair.#.stick",
+           .kind = KeyKind::flag,
+           .absent_meaning = "friction.stick",
+           .help = "the pair may stick in a part of the cycle, as in fretting: the same of all "
+                   "pairs (docs/fretting.md)"}};
+}
+
+}  // namespace
+
+std::vector<Key> pair_keys() {
+  std::vector<Key> keys = keys_of_pairs();
+  for (Key& key : motion_keys_of_bodies()) keys.push_back(std::move(key));
+  return keys;
+}
+
+std::vector<std::string> pair_tables(const Scene& scene) {
+  return entries_of(scene, "pair", keys_of_pairs(), {"bodies"});
+}
+
+bool has_pairs(const Scene& scene) {
+  return std::ranges::any_of(pair_keys(),
+                             [&](const Key& key) { return !scene.chosen_names(key.name).empty(); });
+}
+
+namespace {
+
+std::vector<std::string> names_of_bodies(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const std::string& body : scene.chosen_names("body.#.name"))
+    names.push_back(scene.text("body." + body + ".name"));
+  return names;
+}
+
+void require_two_bodies(const Scene& scene, const std::string& pair) {
+  const std::string key = pair + ".bodies";
+  const std::vector<std::string>& names = scene.texts(key);
+  if (names.size() != 2) refuse(scene, key, "the names of two bodies");
+  const std::vector<std::string> all = names_of_bodies(scene);
+  for (const std::string& name : names)
+    if (std::ranges::find(all, name) == all.end())
+      throw InputError(fmt::format("{}: expected names of [[body]], \"{}\", got \"{}\"",
+                                   scene.where(key), fmt::join(all, "\", \""), name));
+  if (names[0] == names[1] && !scene.given(pair + ".surfaces"))
+    refuse(scene, key,
+           "the names of two bodies, or pair.surfaces, two groups of the one body that touch each "
+           "other");
+}
+
+}  // namespace
+
+bool may_stick(const Scene& scene) {
+  const bool all = scene.flag("friction.stick");
+  if (!has_pairs(scene)) return all;
+  const std::vector<std::string> pairs = pair_tables(scene);
+  const auto of = [&](const std::string& pair) {
+    const std::string key = pair + ".stick";
+    return scene.given(key) ? scene.flag(key) : all;
+  };
+  for (const std::string& pair : pairs)
+    if (of(pair) != of(pairs.front())) refuse(scene, pair + ".stick", "the same in every [[pair]]");
+  return of(pairs.front());
+}
+
+void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
+  if (!has_pairs(scene)) return;
+  std::set<std::set<std::string>> seen;
+  mistakes.collect([&] {
+    if (scene.chosen_names("pair.#.bodies").empty())
+      throw InputError(scene.path().string() +
+                       ": expected a [[pair]] with the bodies that touch each other");
+    for (const std::string& pair : pair_tables(scene))
+      mistakes.collect([&] {
+        if (!scene.has(pair + ".bodies")) return;  // a value of another sort is told already
+        require_two_bodies(scene, pair);
+        const std::vector<std::string>& names = scene.texts(pair + ".bodies");
+        if (names[0] == names[1]) return;  // several folds of one body
+        if (!seen.insert({names[0], names[1]}).second)
+          refuse(scene, pair + ".bodies", "each pair of bodies once");
+      });
+  });
+}
+
+}  // namespace gnomon::part
+
+namespace gnomon {
+
+std::vector<std::string> separate_bodies(const Scene& scene) {
+  std::set<std::string> names;
+  for (const std::string& pair : scene.chosen_names("pair.#.bodies"))
+    if (const std::string key = "pair." + pair + ".bodies"; scene.has(key))
+      for (const std::string& name : scene.texts(key)) names.insert(name);
+  return {names.begin(), names.end()};
+}
+
+}  // namespace gnomon
