@@ -87,7 +87,7 @@ public:
 
   int set_up(bool) override {
     stiffness_.gather(J_);
-    if (may_float_) stiffness_.add_soft_springs(soft);
+    if (may_float_) stiffness_.add_soft_springs();
     const int factorizations = stiffness_.set_up("the stiffness of the body");
     compliance_.clear();
     update();
@@ -112,10 +112,6 @@ public:
   }
 
 private:
-  /// Beside the diagonal of K. The compliance of a body of 1e4 nodes grows by some 1e3, which
-  /// leaves twelve digits of what differs in it.
-  static constexpr double soft = 1e-7;
-
   /// A point belongs to the phases in which a contact node may move it.
   static std::vector<NodeUnknowns> numbers_in_block(const std::vector<PhaseContact>& phases,
                                                     const StiffnessBlock& stiffness) {

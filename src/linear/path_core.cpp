@@ -67,7 +67,7 @@ public:
   int set_up(bool) override {
     stiffness_.gather(J_);
     // A body that multipliers press may have no other support.
-    if (blocks_.has_partners()) stiffness_.add_soft_springs(soft);
+    if (blocks_.has_partners()) stiffness_.add_soft_springs();
     const int factorizations = stiffness_.set_up("the stiffness of the body");
     compliance_.clear();
     update();
@@ -95,7 +95,6 @@ public:
   }
 
 private:
-  static constexpr double soft = 1e-7;
   /// Of the current J.
   struct Phase {
     Eigen::MatrixXd moved;  ///< v by y, with the sign of a force
