@@ -12,7 +12,6 @@
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
 #include <gnomon/run/summary.hpp>
-#include <utility>
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"

@@ -1,8 +1,5 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <gnomon/base/error.hpp>
 #include <gnomon/budget/budget.hpp>
 
 #include "budget/companions.hpp"

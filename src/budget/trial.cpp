@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>

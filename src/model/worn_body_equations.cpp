@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <cmath>
 #include <gnomon/mesh/semi_coarsening.hpp>
 #include <gnomon/model/physics.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
-#include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/body_term.hpp>
 #include <gnomon/terms/condensed_body.hpp>
 #include <gnomon/terms/pressure_load.hpp>

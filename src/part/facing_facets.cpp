@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <gnomon/terms/mortar_kernel.hpp>
 #include <limits>

@@ -7,7 +7,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
-#include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/part/part_scene.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <gnomon/base/error.hpp>
 
 #include "base/spectrum.hpp"

@@ -5,7 +5,6 @@
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/model/magnitudes.hpp>
 #include <gnomon/scene/scene.hpp>
-#include <string>
 #include <vector>
 
 namespace gnomon::part {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <iterator>

@@ -1,10 +1,7 @@
 #include "part/shape_support.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <gnomon/base/error.hpp>
 #include <limits>
 #include <map>
 

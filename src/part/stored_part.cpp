@@ -1,7 +1,5 @@
 #include "part/stored_part.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 

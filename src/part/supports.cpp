@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <functional>
 #include <gnomon/base/error.hpp>
 #include <iterator>
 #include <set>

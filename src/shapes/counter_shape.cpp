@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/shapes/counter_shape.hpp>

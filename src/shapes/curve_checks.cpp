@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <gnomon/shapes/spline_curve.hpp>
 
 namespace gnomon {

@@ -3,7 +3,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/wear_laws/law_in_time.hpp>
 #include <limits>
-#include <utility>
 
 namespace gnomon {
 
