@@ -1,6 +1,7 @@
 #include "model/thickness.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <limits>
 
@@ -29,6 +30,24 @@ std::vector<typename Mesh<dim>::Facet> boundary_of(const Assembly<dim>& assembly
   return result;
 }
 
+/// Whether a line passes through the plane of a simplex at an angle of some size. From the rim of a
+/// contact it runs along the sides of the body, through which no wear comes.
+template <int dim>
+bool passes_through(const std::array<int, dim>& simplex, const Vector<dim>& along,
+                    const std::vector<Vector<dim>>& nodes) {
+  constexpr double least = 0.2;  // sine of the angle between them
+  const auto edge = [&](int k) -> Vector<dim> {
+    return nodes[static_cast<std::size_t>(simplex[static_cast<std::size_t>(k)])] -
+           nodes[static_cast<std::size_t>(simplex[0])];
+  };
+  Vector<dim> normal;
+  if constexpr (dim == 2)
+    normal << -edge(1)[1], edge(1)[0];
+  else
+    normal = edge(1).cross(edge(2));
+  return std::abs(normal.dot(along)) > least * normal.norm() * along.norm();
+}
+
 }  // namespace
 
 template <int dim>
@@ -50,6 +69,7 @@ std::vector<double> thickness_behind(const Assembly<dim>& assembly) {
       const Vector<dim> from = patch.initial_position, along = -patch.initial_normal;
       for (const int facet : bins.near_line(from, along, far, radius))
         for (const auto& simplex : simplices<dim>(boundary[static_cast<std::size_t>(facet)])) {
+          if (!passes_through<dim>(simplex, along, mesh.nodes)) continue;
           const Crossing<dim> crossing(from, along, simplex, mesh.nodes);
           const double edge = (mesh.nodes[static_cast<std::size_t>(simplex[1])] -
                                mesh.nodes[static_cast<std::size_t>(simplex[0])])

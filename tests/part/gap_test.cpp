@@ -83,6 +83,8 @@ TEST(Gap, IsCondensedWhereThatPays) {
   EXPECT_EQ(size(ball, with(free, flat)), size(ball, with(gap, flat)));
 }
 
+class RoundPin : public PartScenes {};
+
 ModelRun run_of(const Model& model, const Case& of) {
   return run_model(model, "backward-euler", of.end / 4, 1e-3, of.end);
 }
@@ -128,6 +130,33 @@ TEST(GapMotion, AgreesWithAMovingMesh) {
     return observed(model, run_model(model, "esdirk-4", 0, 1e-6, of.end).last(), "wear_depth");
   };
   EXPECT_NEAR(depth(*fixed) / depth(*moving), 1, 1e-4);
+}
+
+// Behind its rim are the sides of the pin, along which the normal runs.
+TEST_F(RoundPin, IsAsThickAtItsRimAsElsewhere) {
+  folder_.write("pin.geo", R"(SetFactory("OpenCASCADE");
+Cylinder(1) = {0, 0, 0, 0, 0, 4, 3, Pi}; Mesh.MeshSizeMax = 2.4;
+Physical Volume("pin") = {1}; Physical Surface("tip") = {3}; Physical Surface("holder") = {2};
+Physical Surface("middle") = {4};
+)");
+  const auto pin = model(R"(
+problem = "worn_body"
+mesh.file = "pin.geo"
+body = { young_modulus = 1000.0, poisson_ratio = 0.3, material = "linear" }
+support = [ { on = "holder" }, { on = "middle", directions = ["y"] } ]
+shape.motion = "gap"
+wear = { on = ["tip"], coefficient = 1e-6 }
+time.end = 1000.0
+[counter_body]
+shape = "plane"
+normal = [0.0, 0.0, 1.0]
+center = [0.0, 0.0, 0.0]
+motion = { velocity = [100.0, 0.0, 0.0] }
+press = { direction = [0.0, 0.0, 1.0], force = 28.2743 }
+)");
+  const State end = run_model(*pin, "backward-euler", 250, 1e-3, 1000).last();
+  EXPECT_NEAR(1 - observed(*pin, end, "wear_depth") / 4, observed(*pin, end, "thickness_left"),
+              1e-6);
 }
 
 // A moving mesh would end with elements that are worn away.
