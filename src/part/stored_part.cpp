@@ -32,9 +32,8 @@ std::vector<MeshPart> stored_parts(const ImportedBody<dim>& part) {
     parts.push_back({MeshPart::Kind::facets, name, flat(facets)});
   for (const auto& [name, nodes] : part.point_groups)
     parts.push_back({MeshPart::Kind::points, name, nodes});
-  if (part.cell_groups.size() > 1)  // they may be bodies
-    for (const auto& [name, cells] : part.cell_groups)
-      parts.push_back({MeshPart::Kind::cells, name, cells});
+  for (const auto& [name, cells] : part.cell_groups)
+    parts.push_back({MeshPart::Kind::cells, name, cells});
   return parts;
 }
 

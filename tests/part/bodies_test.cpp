@@ -211,5 +211,25 @@ TEST_F(Bodies, AreMadeAgainFromTheirScene) {
               1e-3 / (coating / 2e3 + substrate / 2e4), 1e-9);
 }
 
+TEST_F(Bodies, ASingleOneIsMadeAgain) {
+  folder_.write("one.geo",
+                layers(2, 0.25, 4) +
+                    "Physical Curve(\"bottom\") = {1}; Physical Curve(\"surface\") = {6};\n"
+                    "Physical Surface(\"block\") = {1, 2};\n");
+  const Scene scene_of = load_scene(folder_.write("scene.toml", R"(
+problem = "worn_body"
+mesh.file = "one.geo"
+model.plane = "strain"
+body = [ { name = "block", young_modulus = 1e3, poisson_ratio = 0.0 } ]
+support = [ { on = "bottom" } ]
+counter_body = { shape = "plane", center = [0, 0], normal = [0, -1], press = { direction = [0, -1], approach = [2e-3] } }
+wear = { on = ["surface"], coefficient = 1e-6, velocity = 1.0 }
+time.end = 1.0
+)"),
+                                    {}, key_table);
+  const auto remade = remake_model(scene_of, make_model(scene_of)->grid.value());
+  EXPECT_NEAR(remade->contact(remade->start(counters_)).value().pressure.front(), 1, 1e-2);
+}
+
 }  // namespace bodies_test
 }  // namespace gnomon
