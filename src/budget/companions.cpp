@@ -40,7 +40,7 @@ Trial Companions::run(const Scene& scene, const std::string& what, const Goals* 
     work_ = before + work;
     return hooks_.interrupted() || work_ > hooks_.limit;
   };
-  return try_scene(scene, interrupted, unlike);
+  return try_scene(scene, interrupted, unlike, hooks_.limit - before);
 }
 
 void Companions::add(const Key& key, const std::function<void(BudgetPart&)>& find) {

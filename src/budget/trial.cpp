@@ -41,7 +41,7 @@ std::optional<std::string> failure_of(const std::function<void()>& attempt) try 
 }
 
 Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupted,
-                const Goals* unlike) {
+                const Goals* unlike, double most_work) {
   const double begin = cpu_seconds();
   const Setup setup = set_up(scene);
   if (unlike && nodes_of(*setup.model) == unlike->nodes)
@@ -50,16 +50,21 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
   policy.checkpoint_seconds = 0;
   policy.phase_errors = policy.examine_end = false;
   const auto nonzeros = static_cast<double>(setup.model->system().structure().pattern.nonzeros());
+  const auto work_of = [&](const Counters& counters) {
+    return static_cast<double>(counters.newton_iterations) * nonzeros;
+  };
+  constexpr double no_limit = 1e15;
   double work = 0;
   const RunOutcome outcome =
       run(*setup.model, chosen_integrator(setup.scene),
           integrator_settings(setup.scene, *setup.model), policy, nullptr,
-          {.on_step =
-               [&](const HistoryRow& row) {
-                 work = static_cast<double>(row.counters.newton_iterations) * nonzeros;
-               },
-           .interrupted = [&] { return interrupted(work); }});
-  if (outcome.status == RunOutcome::Status::failed) throw SolutionError(outcome.diagnosis);
+          {.on_step = [&](const HistoryRow& row) { work = work_of(row.counters); },
+           .interrupted = [&] { return interrupted(work); },
+           .most_newton_iterations = static_cast<long>(std::min(most_work / nonzeros, no_limit))});
+  if (outcome.status == RunOutcome::Status::failed) {
+    if (interrupted(work_of(outcome.counters))) throw Interrupted("interrupted");
+    throw SolutionError(outcome.diagnosis);
+  }
   if (outcome.status == RunOutcome::Status::interrupted) throw Interrupted("interrupted");
   const Model& model = outcome.successor ? *outcome.successor : *setup.model;
   auto goals = goals_of(model, *outcome.state, outcome.last->scalars);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <gnomon/base/error.hpp>
 #include <gnomon/budget/budget.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -39,11 +40,12 @@ struct Trial {
 
 /// Makes the model of a scene and integrates it, nothing is stored. Throws InputError where the
 /// scene has no worn surface, SolutionError where the run fails, and Interrupted.
-/// `interrupted` is asked after each step, with the work until then.
+/// `interrupted` is asked after each step, with the work until then. More than `most_work` fails.
 /// `unlike`: a mesh with as many nodes as that of this run is refused before the run, by
 /// MeshUnchanged.
 Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted,
-                const Goals* unlike = nullptr);
+                const Goals* unlike = nullptr,
+                double most_work = std::numeric_limits<double>::infinity());
 
 /// Nodes under pressure at the end.
 long touching_nodes(const Goals& goals);

@@ -48,6 +48,8 @@ public:
   }
 
   NewtonReport solve(const NonlinearFunction& function, std::span<double> y) {
+    if (counters_.newton_iterations > counters_.most_newton_iterations)
+      throw SolutionError("the run takes more Newton iterations than it may");
     function_ = &function;
     norm_.allow_for_rounding(function.rate_weight, y, options_.acceptable);
     for (long i = 0; i < structure_.size; ++i) view(row_scale_.get())[i] = 1 / norm_.scale()[i];

@@ -30,6 +30,7 @@ public:
         schedule_(policy, settings.end),
         writer_(writer),
         hooks_(hooks) {
+    counters_.most_newton_iterations = hooks.most_newton_iterations;
     watch_model();
   }
 

@@ -1,6 +1,8 @@
 // Work counted over a whole run. Every solver adds to the same counters with the same meaning.
 #pragma once
 
+#include <limits>
+
 namespace gnomon {
 
 struct Counters {
@@ -14,6 +16,8 @@ struct Counters {
   long linear_solves = 0;          ///< solves with the Jacobian
   long krylov_iterations = 0;      ///< of the block solver
   long preconditioner_setups = 0;  ///< of the block solver, by factors or multigrid
+  /// A run that needs more fails.
+  long most_newton_iterations = std::numeric_limits<long>::max();
 };
 
 }  // namespace gnomon

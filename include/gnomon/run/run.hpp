@@ -102,6 +102,8 @@ struct RunHooks {
   std::function<std::string(const Model&, const State&, const Observation&)> judge{};
   /// Called after the start and after every step; true ends the run there.
   std::function<bool()> interrupted = [] { return false; };
+  /// Also within the start or a step; more fail.
+  long most_newton_iterations = std::numeric_limits<long>::max();
 };
 
 /// The point at which an earlier run stopped, for a run that continues from there.
