@@ -51,8 +51,9 @@ std::optional<Until> read_until(const Scene& scene) {
   const std::size_t sign = std::min(until.text.find_first_of("<>"), until.text.size());
   until.above = until.text.substr(sign, 1) == ">";
   std::istringstream words(until.text.substr(0, sign)), number(until.text.substr(sign).erase(0, 1));
-  std::string rest;
-  if (!(words >> until.observation) || words >> rest || !(number >> until.value) || number >> rest)
+  std::string word, rest;
+  while (words >> word) until.observation += (until.observation.empty() ? "" : " ") + word;
+  if (until.observation.empty() || !(number >> until.value) || number >> rest)
     throw InputError(
         fmt::format("{}: expected an observation, > or <, and a number, as in \"worn_volume > "
                     "2.5\", got \"{}\"",

@@ -242,7 +242,10 @@ TEST(Settings, AnEndByAnObservationIsRead) {
   EXPECT_EQ(until.observation, "wear_depth");
   EXPECT_FALSE(until.above);
   EXPECT_EQ(until.value, 1.5e-3);
-  for (const char* bad : {"wear_depth", "wear_depth > x", "wear_depth >= 1", "a > 1 > 2", "1 < a"})
+  EXPECT_EQ(store_policy(pin_scene({"time.until=worn_volume_base plate > 1"})).until->observation,
+            "worn_volume_base plate");
+  for (const char* bad :
+       {"wear_depth", "> 1", "wear_depth > x", "wear_depth >= 1", "a > 1 > 2", "1 < a"})
     EXPECT_THROW(store_policy(pin_scene({std::string("time.until=") + bad})), InputError) << bad;
 }
 
