@@ -238,7 +238,7 @@ std::vector<std::string> remarks_on_passing_material(const Scene& scene,
         "material of \"{0}\" passes the contact, but wears as if the same stayed in it{1}",
         surface.name,
         streamlines_of(moves)
-            ? fmt::format(": wear.surfaces.{}.path gives the length of its track", surface.name)
+            ? fmt::format(": {} gives the length of its track", path_key(surface.name))
             : ": where it touches for a part of a turn only, its depth is too large by a turn over "
               "that part"));
   }
