@@ -231,12 +231,13 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
                track = depth_of_tracks<dim>(by_track, press, start, gaps, duration);
   result.deepest = local + track;
   // In the plane a track recedes as a whole, and does not widen the contact.
-  const double worn_area = std::max(gaps.area(dim == 2 ? local : result.deepest), start.area);
+  const double shaping = dim == 2 ? local : result.deepest;
+  const double worn_area = std::max(gaps.area(shaping), start.area);
   scales.stress = start.force / worn_area;
   scales.wear_depth = result.deepest > 0 ? worn / worn_area + track : scales.displacement;
   const double half_width = solid ? std::sqrt(worn_area / M_PI) : worn_area / 2;
   // What lies flat on each other recedes as a whole.
-  result.slope = 2 * std::min(result.deepest, gaps.largest()) / half_width;
+  result.slope = 2 * std::min(shaping, gaps.largest()) / half_width;
   result.thinning = result.deepest / size_of_wearing(parts);
   double area = 0, count = 0;
   for (const auto& patch : patches) area += patch.initial_area, ++count;
