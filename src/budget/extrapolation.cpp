@@ -1,21 +1,59 @@
 #include "budget/extrapolation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "budget/trial.hpp"
 
 namespace gnomon::budget {
 
+namespace {
+
+/// The edge at the node of the same body that is nearest to a place; none: no number.
+double edge_near(const std::array<double, 3>& place, int body, const Goals& goals) {
+  double edge = not_known, least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < goals.body.size(); ++k) {
+    if (goals.body[k] != body) continue;
+    const auto& node = goals.surface.initial[k];
+    const double away = std::hypot(node[0] - place[0], node[1] - place[1], node[2] - place[2]);
+    if (away < least) least = away, edge = goals.edge[k];
+  }
+  return edge;
+}
+
+/// Of the nodes that touch on the coarse mesh, those near which edges of the fine one are as long.
+double part_as_coarse(const Goals& coarse, const Goals& fine) {
+  constexpr double shorter = 0.8;
+  double touching = 0, unrefined = 0;
+  for (std::size_t i = 0; i < coarse.body.size(); ++i) {
+    if (!(coarse.surface.pressure[i] > 0)) continue;
+    const double edge = edge_near(coarse.surface.initial[i], coarse.body[i], fine);
+    ++touching;
+    unrefined += edge > shorter * coarse.edge[i];
+  }
+  return touching > 0 ? unrefined / touching : 0;
+}
+
+}  // namespace
+
+std::string why_not_refined(const Goals& one, const Goals& other) {
+  constexpr double clearly = 1.25, most = 0.25;
+  const auto& [coarse, fine] =
+      one.nodes > other.nodes ? std::tie(other, one) : std::tie(one, other);
+  if (static_cast<double>(touching_nodes(fine)) <
+      clearly * static_cast<double>(touching_nodes(coarse)))
+    return "about as many nodes touch on elements of another size: the geometry fixes them, or "
+           "there are too few";
+  if (part_as_coarse(coarse, fine) > most)
+    return "elements of another size are as large in a part of the contact";
+  return {};
+}
+
 void require_refined_contact(const Goals& one, const Goals& other) {
-  constexpr double clearly = 1.25;
-  const bool is_finer = one.nodes > other.nodes;
-  const auto fine = static_cast<double>(touching_nodes(is_finer ? one : other)),
-             coarse = static_cast<double>(touching_nodes(is_finer ? other : one));
-  if (fine < clearly * coarse)
-    throw MeshUnchanged(
-        "about as many nodes touch on elements of another size: the geometry fixes them, or there "
-        "are too few");
+  if (const std::string why = why_not_refined(one, other); !why.empty()) throw MeshUnchanged(why);
 }
 
 std::vector<double> mesh_differences(const Goals& coarse, const Goals& fine) {

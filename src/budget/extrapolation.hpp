@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/budget/budget.hpp>
+#include <string>
 #include <vector>
 
 namespace gnomon::budget {
@@ -9,8 +10,11 @@ namespace gnomon::budget {
 /// Of errors in the size of the elements, which is mostly between 1 and 2.
 inline constexpr double usual_order = 1.5;
 
-/// Throws MeshUnchanged where no more nodes touch on the mesh that has more nodes: then their
-/// difference says nothing about the elements of the contact.
+/// Why the difference of two meshes says nothing about the elements of the contact: no more nodes
+/// touch on the one that has more nodes, or a part of the contact has the same elements. Empty: it
+/// does.
+std::string why_not_refined(const Goals& one, const Goals& other);
+/// Throws MeshUnchanged for such meshes.
 void require_refined_contact(const Goals& one, const Goals& other);
 
 /// differences() of two meshes. Fields are compared at the nodes of the coarse one, to which a fine

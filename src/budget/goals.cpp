@@ -6,6 +6,7 @@
 #include <gnomon/budget/budget.hpp>
 #include <gnomon/results/surface_difference.hpp>
 #include <gnomon/system/system.hpp>
+#include <limits>
 
 #include "base/spectrum.hpp"
 
@@ -68,6 +69,34 @@ FieldDifferences field_differences(const ContactSurface& surface, const ContactS
   return {distance.norm(), inner.empty() ? 0 : std::sqrt(sum / static_cast<double>(inner.size()))};
 }
 
+/// With the sizes of the elements at the surface.
+void add_edges(const Grid& grid, Goals& goals) {
+  const ContactSurface& surface = goals.surface;
+  constexpr double far = std::numeric_limits<double>::infinity();
+  goals.edge.assign(surface.node.size(), far);
+  const std::vector<int> body_of = connected_bodies(grid);
+  std::vector<int> place_of(grid.points.size(), -1);
+  for (std::size_t i = 0; i < surface.node.size(); ++i) {
+    const auto node = static_cast<std::size_t>(surface.node[i]);
+    place_of[node] = static_cast<int>(i);
+    goals.body.push_back(body_of[node]);
+  }
+  const auto corners = grid.corners();
+  std::vector<std::size_t> of_cell;
+  for (std::size_t first = 0; first < grid.cells.size(); first += corners) {
+    of_cell.clear();
+    for (std::size_t k = first; k < first + corners; ++k)
+      if (const int i = place_of[static_cast<std::size_t>(grid.cells[k])]; i >= 0)
+        of_cell.push_back(static_cast<std::size_t>(i));
+    for (const std::size_t i : of_cell)
+      for (const std::size_t j : of_cell)
+        if (i != j)
+          goals.edge[i] =
+              std::min(goals.edge[i],
+                       (vector_of(surface.initial[i]) - vector_of(surface.initial[j])).norm());
+  }
+}
+
 }  // namespace
 
 long nodes_of(const Model& model) {
@@ -82,6 +111,7 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
               .nonzeros = static_cast<double>(model.system().structure().pattern.nonzeros()),
               .values = {},
               .surface = std::move(*surface)};
+  if (model.grid) add_edges(*model.grid, goals);
   if (const auto difference = wear_difference(observed); difference && *difference != 0)
     goals.ledger = std::abs(*difference / *value_of(observed, "worn_volume"));
   const auto add = [&](const char* name) {

@@ -164,6 +164,12 @@ private:
       pilot_.mesh = 1;
       return judge_mesh();
     }
+    // Large elements may follow each other on lines so short that they are the same there.
+    if (pilot_.mesh > 1 && !why_not_refined(coarse_->goals, finer_trial->goals).empty()) {
+      coarse_ = std::move(finer_trial);
+      pilot_ = finer;
+      return measure_mesh();
+    }
     const Trial& fine = *finer_trial;
     const double difference = largest(mesh_differences(coarse_->goals, fine.goals), places_);
     const double of_fine = difference / (std::exp2(usual_order) - 1);

@@ -28,6 +28,9 @@ struct Goals {
   /// the root mean square over the nodes within 0.9 of the contact from its middle to its edge.
   std::vector<Scalar> values;
   ContactSurface surface;
+  // Of the nodes of the surface:
+  std::vector<double> edge{};  ///< the shortest to another one in its cells [length]
+  std::vector<int> body{};     ///< its connected body
 };
 
 long nodes_of(const Model& model);
