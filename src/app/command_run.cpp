@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
+#include <filesystem>
 #include <gnomon/base/error.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
@@ -18,6 +20,8 @@
 namespace gnomon::app {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 /// A run that has ended, and what belongs to it.
 struct Run {
@@ -51,6 +55,33 @@ void print_unless(bool quiet, const std::string& text) {
   std::fflush(stdout);  // what follows takes long
 }
 
+/// A result and its sidecar, aside while another run may replace them; they come back unless that
+/// one is wanted.
+class PutAside {
+public:
+  explicit PutAside(const fs::path& result)
+      : names_{result, fs::path(result).replace_extension(".xdmf")} {
+    for (const fs::path& name : names_) move(name, aside(name));
+  }
+  PutAside(const PutAside&) = delete;
+  PutAside& operator=(const PutAside&) = delete;
+  ~PutAside() {
+    for (const fs::path& name : names_) move(aside(name), name);
+  }
+  void drop() {
+    std::error_code ignored;
+    for (const fs::path& name : names_) fs::remove(aside(name), ignored);
+  }
+
+private:
+  static fs::path aside(fs::path name) { return name += ".first"; }
+  static void move(const fs::path& from, const fs::path& to) {
+    std::error_code ignored;
+    if (fs::exists(from, ignored)) fs::rename(from, to, ignored);
+  }
+  std::array<fs::path, 2> names_;
+};
+
 /// With settings that meet accuracy.within; once more with finer ones where its budget shows that
 /// they do not.
 Run run_planned(const Scene& asked, const RunOptions& options, Earlier earlier) {
@@ -63,9 +94,16 @@ Run run_planned(const Scene& asked, const RunOptions& options, Earlier earlier) 
   if (const auto finer = refined(plan, asked, shown)) {
     print_unless(quiet, fmt::format("{}\nonce more, finer: {}\n", accuracy_text(asked, shown),
                                     change_text(plan.scene, *finer)));
+    PutAside first(options.result);
     try {
-      run = run_scene(*finer, options, Earlier::replaced, &plan);
-    } catch (const InputError& error) {  // of the finer mesh: the result stays
+      Run again = run_scene(*finer, options, Earlier::replaced, &plan);
+      if (again.outcome.status == RunOutcome::Status::finished) {
+        first.drop();
+        run = std::move(again);
+      } else {
+        print_remarks({"once more is " + again.outcome.text() + ": the result is that of before"});
+      }
+    } catch (const InputError& error) {  // of the finer mesh
       print_remarks({fmt::format("not done once more: {}", error.what())});
     }
   }
