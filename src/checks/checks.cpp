@@ -65,6 +65,12 @@ std::vector<std::string> doubts(const Examination& facts) {
         "slides by {:.2g} % too {}",
         facts.moved_axis->body, facts.moved_axis->way, 100 * std::abs(facts.moved_axis->part),
         facts.moved_axis->part > 0 ? "fast" : "slowly"));
+  if (facts.body_turn && facts.body_turn->angle > turned)
+    found.push_back(fmt::format(
+        "{} turns by {:.2g} rad, which small strains take for a strain of about {:.2g}, and forces "
+        "do not turn with it: material = \"neo-hookean\" has finite rotations",
+        facts.body_turn->body.empty() ? "the body" : '"' + facts.body_turn->body + '"',
+        facts.body_turn->angle, facts.body_turn->angle * facts.body_turn->angle / 2));
   if (facts.lost_wear > lost)
     found.push_back(
         fmt::format("{:.2g} of the wear of a body is at contact nodes whose shape is held, and is "

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "mesh/facet_table.hpp"
+#include "model/body_turn.hpp"
 #include "model/connected_parts.hpp"
 #include "model/moved_axis.hpp"
 #include "model/observed_path.hpp"
@@ -206,6 +207,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (state.t > 0) facts.gap_error = gap_error(state, values, contacts);
   if (assembly().pairs.empty()) facts.overlap = find_overlap(equations_);
   if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);
+  facts.body_turn = find_body_turn(equations_, values);
   facts.moved_axis = find_moved_axis(equations_, values, contacts);
   facts.lost_wear = find_lost_wear(assembly(), contacts);
   if (assembly().interface.sticks) {

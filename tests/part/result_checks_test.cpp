@@ -48,6 +48,37 @@ TEST(Doubts, EachFactHasItsSentenceWithTheFigure) {
   EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("do not touch anywhere")));
 }
 
+class BodyTurns : public PartScenes {};
+
+// The springs below carry the force at a distance e from their middle: angle = P e / (k L^2 / 12).
+TEST_F(BodyTurns, WithSmallStrainsItIsToldOf) {
+  folder_.write("block.geo", R"(SetFactory("OpenCASCADE");
+Rectangle(1) = {-5, 0, 0, 10, 4}; Mesh.MeshSizeMax = 1;
+Physical Surface("block") = {1}; b() = Boundary { Surface{1}; };
+Physical Curve("bottom") = {b(0)}; Physical Curve("face") = {b(2)};
+)");
+  const std::string scene = R"(
+problem = "worn_body"
+mesh.file = "block.geo"
+model.plane = "strain"
+body = { young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }
+support = [ { on = "bottom", directions = ["x"] },
+            { on = "bottom", directions = ["y"], stiffness = 100.0 } ]
+counter_body = { shape = "cylinder", radius = 1.0, center = [2.0, 5.0], press = { direction = [0, -1], force = 10.0 } }
+wear = { on = ["face"], coefficient = 1e-8, velocity = 1.0 }
+time.end = 1.0
+)";
+  const auto examined = [&](const std::string& force) {
+    Counters counters;
+    const auto block = model(scene, {"counter_body.press.force=" + force});
+    return block->examine(block->start(counters));
+  };
+  const Examination facts = examined("10.0");
+  EXPECT_NEAR(facts.body_turn.value().angle, 10 * 2 / (100.0 * 100 / 12), 1e-3);
+  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("the body turns by 0.02")));
+  EXPECT_THAT(doubts(examined("1.0")), ElementsAre());
+}
+
 TEST(Doubts, BodiesThatWouldStickAreRefused) {
   Examination facts = balanced();
   facts.drag = ElasticDrag{.stroke = 2, .drag = 1.9};

@@ -48,6 +48,12 @@ struct MovedAxis {
   double part = 0;   ///< negative: too slowly
 };
 
+/// Of a body that has small strains, which take its rotation for strains.
+struct BodyTurn {
+  std::string body;  ///< its name; empty where there is one
+  double angle = 0;  ///< [rad]
+};
+
 /// What wear as a gap leaves out: the change of pressures, at the same depth of wear, if the mesh
 /// had followed it. Root mean square over the nodes that are closed with their neighbours, as a
 /// part of their pressures.
@@ -81,6 +87,7 @@ struct Examination {
   /// The part of the wear at nodes whose shape is held, so that it is lost; of the body that loses
   /// most.
   double lost_wear = 0;
+  std::optional<BodyTurn> body_turn{};    ///< the largest one
   std::optional<MovedAxis> moved_axis{};  ///< of pairs, the one with the largest part
   std::optional<GapError> gap_error{};    ///< where wear is a gap
   /// Where friction may stick: CycleOfSlip::stick_area.
