@@ -162,8 +162,8 @@ TEST(Multigrid, IterationsHardlyGrowWithTheMesh) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
   for (const auto& [poisson_ratio, most] : {std::pair{0.3, 14}, {0.45, 19}}) {
     SCOPED_TRACE(poisson_ratio);
-    const auto iterations = [&](int n) {
-      return block_problem(n, 5, multigrid_solvers(), poisson_ratio).iterations();
+    const auto iterations = [nu = poisson_ratio](int n) {
+      return block_problem(n, 5, multigrid_solvers(), nu).iterations();
     };
     const long coarse = iterations(8), fine = iterations(16);
     EXPECT_LE(coarse, most);
@@ -177,8 +177,8 @@ TEST(Multigrid, IterationsHardlyGrowWithTheMesh) {
 TEST(Multigrid, AlongGridLinesTakesNearlyTheSameIterationsOnEveryMesh) {
   if (!has_multigrid()) GTEST_SKIP() << "built without PETSc";
   for (const auto& [poisson_ratio, most, growth] : {std::tuple{0.3, 12, 2}, {0.45, 20, 4}}) {
-    const auto iterations = [&](int n) {
-      return block_problem(n, 5, multigrid_solvers(), poisson_ratio, Lines::known).iterations();
+    const auto iterations = [nu = poisson_ratio](int n) {
+      return block_problem(n, 5, multigrid_solvers(), nu, Lines::known).iterations();
     };
     const long coarse = iterations(6), fine = iterations(12), finest = iterations(24);
     EXPECT_LE(std::max({coarse, fine, finest}), most) << poisson_ratio;
