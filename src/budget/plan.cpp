@@ -42,8 +42,8 @@ public:
     find_coarse_mesh();
     for (const Key& key : asked_.controlling_keys())
       if (key.controls->source == ErrorSource::model) try_simpler(key);
-    attempt("mesh", [&] { measure_mesh(); });
-    attempt("time", [&] { measure_time(); });
+    if (!attempt("mesh", [&] { measure_mesh(); })) trade_.free_mesh = false;
+    if (!attempt("time", [&] { measure_time(); })) trade_.free_time = false;
     attempt("phases", [&] { measure_phases(); });
     Plan plan{.scene = with(cheapest(trade_, within_)), .lines = {}, .known = {}, .remarks = {}};
     for (const double part : {2.0, 1.0, 0.5, 0.25}) plan.lines.push_back(line_for(part * within_));
@@ -55,11 +55,13 @@ public:
   }
 
 private:
-  /// A pilot that fails leaves a part of the error unknown.
-  void attempt(const std::string& part, const std::function<void()>& measure) {
-    if (const auto failure = failure_of(measure))
+  /// A pilot that fails leaves a part of the error unknown; the scene's own setting stays then.
+  bool attempt(const std::string& part, const std::function<void()>& measure) {
+    const auto failure = failure_of(measure);
+    if (failure)
       remarks_.push_back(
           fmt::format("the error of the {} is not part of the plan: {}", part, *failure));
+    return !failure;
   }
 
   static double read_within(const Scene& scene) {
