@@ -13,15 +13,15 @@ namespace gnomon::testing {
 using Dual = Eigen::AutoDiffScalar<Eigen::VectorXd>;
 
 /// `values` as independent variables number first, first + 1, ... of `total`.
-template <class Matrix>
+template <class Number = Dual, class Matrix>
 auto independent(const Matrix& values, int first, int total) {
-  using Result = Eigen::Matrix<Dual, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime, 0,
+  using Result = Eigen::Matrix<Number, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime, 0,
                                Matrix::MaxRowsAtCompileTime, Matrix::MaxColsAtCompileTime>;
   Result result(values.rows(), values.cols());
   // Row by row, as unknowns are numbered: dim * node + component.
   for (Eigen::Index i = 0; i < values.rows(); ++i)
     for (Eigen::Index j = 0; j < values.cols(); ++j)
-      result(i, j) = Dual(values(i, j), total, static_cast<int>(first + i * values.cols() + j));
+      result(i, j) = Number(values(i, j), total, static_cast<int>(first + i * values.cols() + j));
   return result;
 }
 
