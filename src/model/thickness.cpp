@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/mesh/flat_part.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
 #include <limits>
 
@@ -30,22 +31,14 @@ std::vector<typename Mesh<dim>::Facet> boundary_of(const Assembly<dim>& assembly
   return result;
 }
 
-/// Whether a line passes through the plane of a simplex at an angle of some size. From the rim of a
-/// contact it runs along the sides of the body, through which no wear comes.
+/// Whether a line passes through a facet at an angle of some size. From the rim of a contact it
+/// runs along the sides of the body, through which no wear comes.
 template <int dim>
-bool passes_through(const std::array<int, dim>& simplex, const Vector<dim>& along,
-                    const std::vector<Vector<dim>>& nodes) {
+bool passes_through(const Mesh<dim>& mesh, const typename Mesh<dim>::Facet& facet,
+                    const Vector<dim>& along) {
   constexpr double least = 0.2;  // sine of the angle between them
-  const auto edge = [&](int k) -> Vector<dim> {
-    return nodes[static_cast<std::size_t>(simplex[static_cast<std::size_t>(k)])] -
-           nodes[static_cast<std::size_t>(simplex[0])];
-  };
-  Vector<dim> normal;
-  if constexpr (dim == 2)
-    normal << -edge(1)[1], edge(1)[0];
-  else
-    normal = edge(1).cross(edge(2));
-  return std::abs(normal.dot(along)) > least * normal.norm() * along.norm();
+  const Vector<dim> area = area_vector(mesh, facet);
+  return std::abs(area.dot(along)) > least * area.norm() * along.norm();
 }
 
 }  // namespace
@@ -67,9 +60,10 @@ std::vector<double> thickness_behind(const Assembly<dim>& assembly) {
           !assembly.wears(static_cast<int>(c)))
         continue;
       const Vector<dim> from = patch.initial_position, along = -patch.initial_normal;
-      for (const int facet : bins.near_line(from, along, far, radius))
-        for (const auto& simplex : simplices<dim>(boundary[static_cast<std::size_t>(facet)])) {
-          if (!passes_through<dim>(simplex, along, mesh.nodes)) continue;
+      for (const int near : bins.near_line(from, along, far, radius)) {
+        const auto& facet = boundary[static_cast<std::size_t>(near)];
+        if (!passes_through(mesh, facet, along)) continue;
+        for (const auto& simplex : simplices<dim>(facet)) {
           const Crossing<dim> crossing(from, along, simplex, mesh.nodes);
           const double edge = (mesh.nodes[static_cast<std::size_t>(simplex[1])] -
                                mesh.nodes[static_cast<std::size_t>(simplex[0])])
@@ -77,6 +71,7 @@ std::vector<double> thickness_behind(const Assembly<dim>& assembly) {
           if (crossing.shares.minCoeff() >= -rounding && crossing.distance > 1e-6 * edge)
             result[c] = std::min(result[c], crossing.distance);
         }
+      }
     }
   }
   return result;
