@@ -6,18 +6,19 @@ namespace gnomon {
 
 namespace {
 
-/// The angle of the rigid motion nearest to displacements u of nodes X: J w = sum r x u, where J is
+/// The angle of the rigid motion nearest to displacements u of nodes: J w = sum r x u, where J is
 /// their tensor of inertia.
 template <int dim>
-double angle_of(const std::vector<Vector<dim>>& X, const std::vector<Vector<dim>>& u) {
+double angle_of(const std::vector<std::size_t>& nodes, const std::vector<Vector<dim>>& X,
+                const NodalField<dim>& u) {
   Vector<dim> middle = Vector<dim>::Zero();
-  for (const Vector<dim>& x : X) middle += x / static_cast<double>(X.size());
+  for (const std::size_t node : nodes) middle += X[node] / static_cast<double>(nodes.size());
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (std::size_t k = 0; k < X.size(); ++k) {
+  for (const std::size_t node : nodes) {
     Eigen::Vector3d r = Eigen::Vector3d::Zero(), v = r;
-    r.head<dim>() = X[k] - middle;
-    v.head<dim>() = u[k];
+    r.head<dim>() = X[node] - middle;
+    v.head<dim>() = u.row(static_cast<Eigen::Index>(node)).transpose();
     moment += r.cross(v);
     inertia += r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose();
   }
@@ -35,15 +36,12 @@ std::optional<BodyTurn> find_body_turn(const WornBodyEquations<dim>& equations,
   std::optional<BodyTurn> most;
   for (std::size_t body = 0; body < assembly.bodies.size(); ++body) {
     if (assembly.bodies[body].element.kinematics != Kinematics::small) continue;
+    std::vector<std::size_t> nodes;
+    for (std::size_t node = 0; node < body_of.size(); ++node)
+      if (body_of[node] == static_cast<int>(body)) nodes.push_back(node);
     for (std::size_t p = 0; p < equations.phases().size(); ++p) {
-      const NodalField<dim>& of = values.vector(equations.fields(p).u);
-      std::vector<Vector<dim>> X, u;
-      for (std::size_t node = 0; node < body_of.size(); ++node)
-        if (body_of[node] == static_cast<int>(body)) {
-          X.push_back(assembly.mesh.nodes[node]);
-          u.emplace_back(of.row(static_cast<Eigen::Index>(node)).transpose());
-        }
-      const double angle = angle_of<dim>(X, u);
+      const double angle =
+          angle_of<dim>(nodes, assembly.mesh.nodes, values.vector(equations.fields(p).u));
       if (!most || angle > most->angle) most = BodyTurn{assembly.bodies[body].name, angle};
     }
   }
