@@ -251,7 +251,7 @@ ImportedMesh mesh_from_process(const std::filesystem::path& file, const MeshFile
 
 using MeshOfFile = std::pair<std::pair<std::filesystem::path, MeshFileOptions>, ImportedMesh>;
 
-/// The last ones, oldest first; nothing while meshes are not kept.
+/// The last ones, the one not asked for longest first; nothing while meshes are not kept.
 thread_local std::optional<std::deque<MeshOfFile>> kept;
 
 }  // namespace
@@ -288,12 +288,18 @@ ImportedMesh read_mesh_file(const std::filesystem::path& file, const MeshFileOpt
   }
   if (extension(file) == ".geo") check_last_line(file);
   if (!kept) return mesh_from_process(file, options);
-  constexpr std::size_t most = 3;
+  constexpr std::size_t most = 3, most_nodes = 200000;  // of small meshes more
   const std::pair key(std::filesystem::absolute(file), options);
   const auto known = std::ranges::find(*kept, key, &MeshOfFile::first);
-  if (known != kept->end()) return known->second;
-  if (kept->size() == most) kept->pop_front();
-  return kept->emplace_back(key, mesh_from_process(file, options)).second;
+  if (known != kept->end()) return std::rotate(known, known + 1, kept->end()), kept->back().second;
+  kept->emplace_back(key, mesh_from_process(file, options));
+  const auto nodes = [] {
+    std::size_t sum = 0;
+    for (const MeshOfFile& mesh : *kept) sum += mesh.second.nodes.size();
+    return sum;
+  };
+  while (kept->size() > most && nodes() > most_nodes) kept->pop_front();
+  return kept->back().second;
 }
 
 }  // namespace gnomon

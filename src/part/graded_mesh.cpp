@@ -107,6 +107,14 @@ double mean_edge(const ImportedMesh& mesh, const FineZone& fine) {
   return count > 0 ? sum / count : 0;
 }
 
+/// Whether the geometry gives the number of elements of the contact.
+bool is_fixed(const Scene& scene, FineZone fine, double size) {
+  constexpr double finer = 0.5, clearly = 1.4;
+  fine.size = finer * size;
+  fine.balls = merged(fine.balls, fine.size);
+  return mean_edge(read_mesh(scene, fine), fine) > clearly * fine.size;
+}
+
 /// What `check` and `run` print of the mesh.
 std::string told(const ImportedMesh& mesh, const FineZone& fine, double factor) {
   constexpr double much = 1.7;
@@ -125,39 +133,46 @@ std::string told(const ImportedMesh& mesh, const FineZone& fine, double factor) 
 ImportedMesh read_graded_mesh(const Scene& scene) {
   if (scene.given(size_key) && !has_geometry(scene))
     refuse(scene, size_key, "a geometry (.geo, .step or .stp), which gnomon meshes");
-  ImportedMesh mesh = read_mesh(scene);
-  if (!scene.given(size_key)) return mesh;
-  // A mesh says where the next one has to be fine only as well as it is fine itself.
-  constexpr double finer = 6;
-  const double asked = scene.real(size_key);
-  FineZone fine;
-  for (int pass = 0; pass < 2 || fine.size > asked; ++pass) {
-    fine.balls = zone_of(scene, mesh);
-    if (fine.balls.empty()) return mesh;
-    fine.size = std::max(asked, pass == 0 ? extent_of(fine) / across : fine.size / finer);
+  if (!scene.given(size_key)) return read_mesh(scene);
+  // A mesh says where the next one has to be fine only as well as it is fine itself. Those before
+  // the last one do not depend on a moderate factor, so that they are kept for other factors.
+  constexpr double finer = 6, moderate = 3;
+  const double factor = scene.real("mesh.factor"), wanted = factor * scene.real(size_key);
+  const Scene before = scene.with("mesh.factor", factor > moderate ? factor : 1.0);
+  ImportedMesh mesh = read_mesh(before);
+  FineZone fine{.balls = zone_of(scene, mesh)};
+  for (double size = 0; !fine.balls.empty(); fine.balls = zone_of(scene, mesh)) {
+    const bool last = size > 0 && size <= finer * wanted;
+    size = size > 0 ? size / finer : extent_of(fine) / across;
+    fine.size = last ? scene.real(size_key) : size / before.real("mesh.factor");
     fine.balls = merged(fine.balls, fine.size);
     require_moderate_number(scene, extent_of(fine), mesh.dimension);
-    mesh = read_mesh(scene, fine);
+    mesh = read_mesh(last ? scene : before, fine);
+    if (!last) continue;
+    mesh.remarks.push_back(told(mesh, fine, factor));
+    return mesh;
   }
-  mesh.remarks.push_back(told(mesh, fine, scene.real("mesh.factor")));
-  return mesh;
+  return read_mesh(scene);
 }
 
 std::optional<Scene> with_contact_size(const Scene& scene) {
-  if (scene.is_set("mesh.size") || scene.is_set("mesh.factor") || scene.given(size_key) ||
-      !has_geometry(scene))
-    return {};
+  if (scene.is_set("mesh.factor") || scene.given(size_key) || !has_geometry(scene)) return {};
   ImportedMesh mesh = read_mesh(scene);
-  if (mesh.has_sizes) return {};
+  const bool has_sizes = mesh.has_sizes || scene.is_set("mesh.size");
   FineZone fine{.balls = zone_of(scene, mesh)};
-  for (int pass = 0; pass < 2 && !fine.balls.empty(); ++pass) {
+  if (fine.balls.empty()) return {};
+  const double own_edge = has_sizes ? mean_edge(mesh, fine) : 0;
+  for (int pass = 0; pass < 2; ++pass) {
     fine.size = extent_of(fine) / across;
     fine.balls = merged(fine.balls, fine.size);
     mesh = read_mesh(scene, fine);
     fine.balls = zone_of(scene, mesh);
+    if (fine.balls.empty()) return {};
   }
-  if (fine.balls.empty()) return {};
-  const double size = extent_of(fine) / across, digit = std::pow(10, std::floor(std::log10(size)));
+  double size = extent_of(fine) / across;
+  if (own_edge > 0) size = std::min(size, own_edge);
+  if (has_sizes && is_fixed(scene, fine, size)) return {};
+  const double digit = std::pow(10, std::floor(std::log10(size)));
   return scene.with(size_key, std::round(10 * size / digit) * digit / 10);
 }
 

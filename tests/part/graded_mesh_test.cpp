@@ -138,9 +138,11 @@ TEST_F(GradedMesh, MistakesAreRefused) {
 }
 
 // A plan for an accuracy begins with a twentieth of the contact.
-TEST_F(GradedMesh, IsChosenForAStepFileWithoutSizes) {
+TEST_F(GradedMesh, IsChosenForAStepFile) {
   const Scene bushing = load_scene(shipped("bushing.toml"), {}, key_table);
-  EXPECT_FALSE(part::with_contact_size(bushing)) << "it gives a size";
+  EXPECT_FALSE(
+      part::with_contact_size(load_scene(shipped("bushing.toml"), {"mesh.factor=1"}, key_table)))
+      << "it gives a factor";
   const std::optional<Scene> chosen =
       part::with_contact_size(bushing.without("mesh.size").without("mesh.factor"));
   ASSERT_TRUE(chosen);
@@ -148,7 +150,7 @@ TEST_F(GradedMesh, IsChosenForAStepFileWithoutSizes) {
 }
 
 // The fourth entry of a point would be its size; those of groups are points.
-TEST_F(GradedMesh, IsChosenForAScriptWithoutSizes) {
+TEST_F(GradedMesh, IsChosenForAScript) {
   const std::string of_points = R"(h = 10;
 Point(1) = {-10, -10, 0}; Point(2) = {h * Cos(0), -h, 0}; Point(3) = {Max(h, 2), 0, 0};
 Point(4) = {-10, 0, 0 /* , 0.1 */};
@@ -167,11 +169,11 @@ Physical Point("corners") = {1, 2, 3, 4};
   const std::optional<Scene> free = chosen(of_points);
   ASSERT_TRUE(free);
   EXPECT_NEAR(free->real("mesh.contact_size"), 2 * std::cbrt(1.5 * 20 * 0.1) / 20, 0.1);
-  std::string sized = of_points;
-  sized.replace(sized.find("0, 0 /*"), 4, "0, 0, 2");
-  EXPECT_FALSE(chosen(sized));
-  EXPECT_FALSE(chosen(of_points + "MeshSize {1} = 0.5;\n"));
-  EXPECT_FALSE(chosen(of_points + "Transfinite Curve {1} = 5;\n"));
+  const std::optional<Scene> finer =
+      chosen(of_points + "MeshSize {:} = 2; MeshSize {3, 4} = 0.1;\n");
+  ASSERT_TRUE(finer);
+  EXPECT_NEAR(finer->real("mesh.contact_size"), 0.1, 0.02) << "that of the script is smaller";
+  EXPECT_FALSE(chosen(of_points + "Transfinite Curve {3} = 5;\n")) << "it fixes their number";
 }
 
 }  // namespace
