@@ -37,7 +37,7 @@ public:
 private:
   void find() {
     if (hooks_.wants(ErrorSource::mesh))
-      companions_.add_mesh(run_.scene, [&](const OtherMesh& other, BudgetPart& part) {
+      companions_.add_mesh(run_.scene, run_.goals, [&](const OtherMesh& other, BudgetPart& part) {
         other.is_coarser ? find_mesh(other.key, part) : find_mesh_by_finer(other.key, part);
       });
     if (hooks_.wants(ErrorSource::phases)) companions_.add_given_phases(run_.scene);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "budget/extrapolation.hpp"
+
 namespace gnomon::budget {
 
 namespace {
@@ -64,7 +66,7 @@ void Companions::add_given_phases(const Scene& scene) {
       add(key, [](BudgetPart&) { throw InputError("positions are given, or as many as can be"); });
 }
 
-void Companions::add_mesh(const Scene& scene,
+void Companions::add_mesh(const Scene& scene, const Goals& goals,
                           const std::function<void(const OtherMesh&, BudgetPart&)>& find) {
   const std::vector<Key> keys = scene.controlling_keys();
   const auto own = std::ranges::find(keys, ErrorSource::mesh,
@@ -75,7 +77,7 @@ void Companions::add_mesh(const Scene& scene,
     for (const OtherMesh& mesh : other_meshes(scene)) {
       part.key = mesh.key.name;
       const auto failed = failure_of([&] { find(mesh, part); });
-      if (!failed) return;
+      if (!failed) return respect_area(goals, part.errors);
       failure = *failed;
     }
     throw InputError(failure);

@@ -42,9 +42,10 @@ public:
   /// Adds the part of the phases of a cycle where their positions are given, which cannot be known.
   void add_given_phases(const Scene& scene);
 
-  /// The part of the mesh, by the first of other_meshes() with which `find` succeeds. None where
-  /// no key of the scene controls it.
-  void add_mesh(const Scene& scene, const std::function<void(const OtherMesh&, BudgetPart&)>& find);
+  /// The part of the mesh of a run, by the first of other_meshes() with which `find` succeeds. None
+  /// where no key of the scene controls it.
+  void add_mesh(const Scene& scene, const Goals& goals,
+                const std::function<void(const OtherMesh&, BudgetPart&)>& find);
 
   /// What `base` is wrong by, from a run of a scene in which the key of the part is finer.
   void compare(BudgetPart& part, const Trial& base, const Scene& finer);

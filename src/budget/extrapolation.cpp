@@ -72,6 +72,12 @@ std::vector<double> errors_of_coarser(const Goals& coarse, const Goals& fine) {
   return errors;
 }
 
+void respect_area(const Goals& goals, std::vector<double>& errors) {
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    if (goals.values[i].name == "contact_area" || goals.values[i].name == "mean_pressure")
+      errors[i] = std::isnan(errors[i]) ? errors[i] : std::max(std::abs(errors[i]), goals.area);
+}
+
 Extrapolated extrapolated(double fine, double coarse) {
   constexpr double least = 0.5, most = 2;
   const double difference =

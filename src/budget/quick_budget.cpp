@@ -30,7 +30,7 @@ public:
 
   Budget operator()() {
     try {
-      companions_.add_mesh(scene_, [&](const OtherMesh& other, BudgetPart& part) {
+      companions_.add_mesh(scene_, goals_, [&](const OtherMesh& other, BudgetPart& part) {
         other.is_coarser ? find_mesh(other.key, part) : find_mesh_by_finer(other.key, part);
       });
       companions_.add_given_phases(scene_);

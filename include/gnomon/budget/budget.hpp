@@ -21,13 +21,18 @@ struct Goals {
   long nodes = 0;       ///< of the mesh; 0 without one
   double ledger = 0;    ///< |wear_difference| as a part of worn_volume
   double nonzeros = 0;  ///< of its Jacobian
+  /// Of bodies of revolution: the half of contact_area_error, which is a bound, as a part of
+  /// contact_area.
+  double area = 0;
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
   /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
   /// approach. profile is the paper's norm of the change of shape. mean_pressure is contact_force
   /// over contact_area, in plane strain over the distance of the ends of contact; inner_pressure
-  /// the root mean square over the nodes within 0.9 of the contact from its middle to its edge.
+  /// the root mean square over the nodes within 0.9 of each connected patch of the contact, from
+  /// its middle to its edge.
   std::vector<Scalar> values;
   ContactSurface surface;
+  std::vector<std::size_t> inner{};  ///< nodes of the surface to which inner_pressure belongs
   // Of the nodes of the surface:
   std::vector<double> edge{};  ///< the shortest to another one in its cells [length]
   std::vector<int> body{};     ///< its connected body

@@ -1,0 +1,134 @@
+#include "budget/inner_contact.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "base/spectrum.hpp"
+
+namespace gnomon::budget {
+
+namespace {
+
+using Nodes = std::vector<std::size_t>;
+
+Eigen::Vector3d vector_of(const std::array<double, 3>& point) {
+  return {point[0], point[1], point[2]};
+}
+
+/// Connected nodes under pressure. Where no neighbours are known they are one patch.
+std::vector<Nodes> patches_of(const ContactSurface& surface, const std::vector<Nodes>& neighbours) {
+  std::vector<Nodes> patches;
+  std::vector<char> open(surface.pressure.size());
+  std::ranges::transform(surface.pressure, open.begin(), [](double p) { return !(p > 0); });
+  for (std::size_t first = 0; first < open.size(); ++first) {
+    if (open[first]) continue;
+    if (patches.empty() || !neighbours.empty()) patches.emplace_back();
+    Nodes& patch = patches.back();
+    const std::size_t begin = patch.size();
+    const auto add = [&](std::size_t i) {
+      if (!open[i]) patch.push_back(i);
+      open[i] = true;
+    };
+    add(first);
+    for (std::size_t k = begin; k < patch.size() && !neighbours.empty(); ++k)
+      std::ranges::for_each(neighbours[patch[k]], add);
+  }
+  return patches;
+}
+
+struct Box {
+  Eigen::Vector3d least, most;
+};
+
+Box box_of(const ContactSurface& surface, const Nodes& patch) {
+  Box box{vector_of(surface.initial[patch[0]]), vector_of(surface.initial[patch[0]])};
+  for (const std::size_t i : patch) {
+    box.least = box.least.cwiseMin(vector_of(surface.initial[i]));
+    box.most = box.most.cwiseMax(vector_of(surface.initial[i]));
+  }
+  return box;
+}
+
+/// Whether the nodes of a patch at an end of its box do not move out of that plane, while others do
+/// move along its normal.
+bool is_symmetric(const ContactSurface& surface, const Nodes& patch, double end, double extent,
+                  int k) {
+  constexpr double small = 1e-9;
+  double there = 0, elsewhere = 0;
+  const auto c = static_cast<std::size_t>(k);
+  for (const std::size_t i : patch) {
+    const bool at_end = std::abs(surface.initial[i][c] - end) <= small * extent;
+    double& largest = at_end ? there : elsewhere;
+    largest = std::max(largest, std::abs(surface.current[i][c] - surface.initial[i][c]));
+  }
+  return there < small * elsewhere;
+}
+
+Nodes inside_of(const ContactSurface& surface, const Nodes& patch) {
+  constexpr double flat = 1e-6, inner_part = 0.9, rounding = 1e-9;
+  const Box box = box_of(surface, patch);
+  const Eigen::Vector3d extent = box.most - box.least;
+  Eigen::Vector3d middle = 0.5 * (box.least + box.most);
+  std::array<bool, 3> mirrored{};
+  for (int k = 0; k < 3; ++k) {
+    if (extent[k] <= flat * extent.norm()) continue;
+    for (const double end : {box.least[k], box.most[k]})
+      if (is_symmetric(surface, patch, end, extent[k], k)) {
+        middle[k] = end;
+        mirrored[static_cast<std::size_t>(k)] = true;
+      }
+  }
+  const auto apart = [&](std::size_t i) -> Eigen::Vector3d {
+    return vector_of(surface.initial[i]) - middle;
+  };
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(3, 3);
+  for (const std::size_t i : patch) covariance += apart(i) * apart(i).transpose();
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j)
+      if (j != k && mirrored[static_cast<std::size_t>(k)]) covariance(j, k) = covariance(k, j) = 0;
+  const Eigen::Matrix3d metric = pseudo_inverse(covariance, flat);
+  const auto radius = [&](std::size_t i) { return std::sqrt(apart(i).dot(metric * apart(i))); };
+  double edge = 0;
+  for (const std::size_t i : patch) edge = std::max(edge, radius(i));
+  Nodes inside;
+  std::ranges::copy_if(patch, std::back_inserter(inside), [&](std::size_t i) {
+    return radius(i) <= inner_part * edge * (1 + rounding);
+  });
+  return inside;
+}
+
+}  // namespace
+
+std::vector<Nodes> surface_neighbours(const std::optional<Grid>& grid,
+                                      const ContactSurface& surface) {
+  if (!grid) return {};
+  constexpr std::size_t none = -1;
+  std::vector<std::size_t> place_of(grid->points.size(), none);
+  for (std::size_t i = 0; i < surface.node.size(); ++i)
+    place_of[static_cast<std::size_t>(surface.node[i])] = i;
+  std::vector<Nodes> neighbours(surface.node.size());
+  Nodes of_cell;
+  for (std::size_t first = 0; first < grid->cells.size(); first += grid->corners()) {
+    of_cell.clear();
+    for (std::size_t k = first; k < first + grid->corners(); ++k)
+      if (const std::size_t i = place_of[static_cast<std::size_t>(grid->cells[k])]; i != none)
+        of_cell.push_back(i);
+    for (const std::size_t i : of_cell)
+      for (const std::size_t j : of_cell)
+        if (i != j) neighbours[i].push_back(j);
+  }
+  return neighbours;
+}
+
+Nodes inner_nodes(const ContactSurface& surface, const std::vector<Nodes>& neighbours) {
+  constexpr std::size_t least = 3;  // of a patch that has an inside
+  Nodes inner;
+  const std::vector<Nodes> patches = patches_of(surface, neighbours);
+  for (const Nodes& patch : patches)
+    if (patches.size() == 1 || patch.size() >= least)
+      std::ranges::copy(inside_of(surface, patch), std::back_inserter(inner));
+  return inner;
+}
+
+}  // namespace gnomon::budget

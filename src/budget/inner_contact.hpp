@@ -1,0 +1,20 @@
+// The inside of the contact, away from its edges, where pressures converge.
+#pragma once
+
+#include <gnomon/model/model.hpp>
+#include <vector>
+
+namespace gnomon::budget {
+
+/// Of each node of a surface the others in its cells; none where there is no grid.
+std::vector<std::vector<std::size_t>> surface_neighbours(const std::optional<Grid>& grid,
+                                                         const ContactSurface& surface);
+
+/// The nodes under pressure within 0.9 of each connected patch of the contact, from its middle to
+/// its edge. An ellipse stands for a patch: that of the covariance of its nodes, as large as the
+/// farthest of them. A patch that ends at a plane of symmetry, along whose normal no node there
+/// moves, is taken with its mirror image.
+std::vector<std::size_t> inner_nodes(const ContactSurface& surface,
+                                     const std::vector<std::vector<std::size_t>>& neighbours);
+
+}  // namespace gnomon::budget
