@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <gnomon/base/error.hpp>
+#include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
@@ -82,30 +83,42 @@ private:
   std::array<fs::path, 2> names_;
 };
 
-/// With settings that meet accuracy.within; once more with finer ones where its budget shows that
-/// they do not.
+/// A planned run, again with finer settings where its budget shows that it is not within what was
+/// asked, or that this is not sure. False: it stays as it is.
+bool run_again(const Plan& plan, const Scene& asked, const RunOptions& options, bool quiet,
+               Scene& settings, Run& run) {
+  const Budget shown = budget_of_json(run.outcome.budget);
+  const auto finer = refined(plan, asked, settings, shown);
+  if (!finer) return false;
+  const bool met = wanted_error(asked, shown) <= asked.real("accuracy.within");
+  print_unless(quiet, fmt::format("{}\nonce more, {}: {}\n", accuracy_text(asked, shown),
+                                  met ? "to be sure" : "finer", change_text(settings, *finer)));
+  PutAside before(options.result);
+  try {
+    Run again = run_scene(*finer, options, Earlier::replaced, &plan);
+    if (again.outcome.status == RunOutcome::Status::finished) {
+      before.drop();
+      run = std::move(again);
+      settings = *finer;
+      return !met && !run.outcome.budget.empty();
+    }
+    print_remarks({"once more is " + again.outcome.text() + ": the result is that of before"});
+  } catch (const InputError& error) {  // of the finer mesh
+    print_remarks({fmt::format("not done once more: {}", error.what())});
+  }
+  return false;
+}
+
+/// With settings that meet accuracy.within, and again with finer ones, twice at most.
 Run run_planned(const Scene& asked, const RunOptions& options, Earlier earlier) {
   const bool quiet = options.quiet || options.summary == "-";
+  const KeptMeshes meshes;
   const Plan plan = planned(asked, options.quiet);
   print_unless(quiet, plan_text(plan));
   Run run = run_scene(plan.scene, options, earlier, &plan);
   if (run.outcome.budget.empty()) return run;
-  const Budget shown = budget_of_json(run.outcome.budget);
-  if (const auto finer = refined(plan, asked, shown)) {
-    print_unless(quiet, fmt::format("{}\nonce more, finer: {}\n", accuracy_text(asked, shown),
-                                    change_text(plan.scene, *finer)));
-    PutAside first(options.result);
-    try {
-      Run again = run_scene(*finer, options, Earlier::replaced, &plan);
-      if (again.outcome.status == RunOutcome::Status::finished) {
-        first.drop();
-        run = std::move(again);
-      } else {
-        print_remarks({"once more is " + again.outcome.text() + ": the result is that of before"});
-      }
-    } catch (const InputError& error) {  // of the finer mesh
-      print_remarks({fmt::format("not done once more: {}", error.what())});
-    }
+  Scene settings = plan.scene;
+  for (int k = 0; k < 2 && run_again(plan, asked, options, quiet, settings, run); ++k) {
   }
   if (!run.outcome.budget.empty())
     print_unless(quiet, accuracy_text(asked, budget_of_json(run.outcome.budget)) + "\n");

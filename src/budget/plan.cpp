@@ -172,12 +172,39 @@ private:
       pilot_ = finer;
       return measure_mesh();
     }
-    const Trial& fine = *finer_trial;
-    const double difference = largest(mesh_differences(coarse_->goals, fine.goals), places_);
-    const double of_fine = difference / (std::exp2(usual_order) - 1);
-    trade_.mesh = of_fine / std::pow(finer.mesh, usual_order);
-    trade_.cost_mesh = 1.2 * coarse_->goals.surface.dim;
-    trade_.seconds = fine.cpu_seconds * std::pow(finer.mesh, trade_.cost_mesh);
+    learn_mesh(*coarse_, *finer_trial, finer.mesh);
+    measure_finer(std::move(*finer_trial), finer.mesh);
+  }
+
+  /// Few nodes touch on coarse elements, so that chance has a part in what they differ by: goes on
+  /// to elements four times as large as those that the plan would take.
+  void measure_finer(Trial last, double factor) {
+    while (trade_.free_mesh && 4 * cheapest(trade_, within_).mesh <= factor) {
+      factor /= 2;
+      const auto failure = failure_of([&] {
+        Trial next = pilot({factor, pilot_.time}, "a pilot on elements of half this size");
+        learn_mesh(last, next, factor);
+        last = std::move(next);
+      });
+      if (failure) return;
+    }
+  }
+
+  /// From elements of twice a size to those of this one, the size being `factor`.
+  void learn_mesh(const Trial& coarse, const Trial& fine, double factor) {
+    std::vector<double> errors = mesh_differences(coarse.goals, fine.goals);
+    for (double& error : errors) error /= std::exp2(usual_order) - 1;
+    respect_area(fine.goals, errors);
+    const double of_fine = largest(errors, places_);
+    trade_.mesh = std::max(of_fine / std::pow(factor, usual_order), 0.5 * trade_.mesh);
+    trade_.cost_mesh = cost_of_nodes * nodes_added(coarse.goals, fine.goals);
+    trade_.seconds = fine.cpu_seconds * std::pow(factor, trade_.cost_mesh);
+  }
+
+  /// By elements of half the size: as a power of two.
+  static double nodes_added(const Goals& coarse, const Goals& fine) {
+    if (coarse.nodes == 0) return fine.surface.dim;
+    return std::log2(static_cast<double>(fine.nodes) / static_cast<double>(coarse.nodes));
   }
 
   /// A mesh that is given stays; what it is wrong by, a finer one tells.
@@ -272,6 +299,7 @@ private:
           seconds));
   }
 
+  static constexpr double cost_of_nodes = 1.2;  ///< of CPU time in the number of nodes
   static constexpr double small_part = 0.25;    ///< of what may be, of models and phases
   static constexpr double time_of_pilots = 10;  ///< times the default of the tolerance
 

@@ -130,16 +130,21 @@ std::string accuracy_text(const Scene& asked, const Budget& shown) {
     return each.unknown.empty() ? assumed(each.errors[worst]) : 0;
   });
   const double within = asked.real("accuracy.within");
+  std::string reached = fmt::format("{:.2g}", 100 * error);
+  if (error > within && reached == fmt::format("{:.2g}", 100 * within))
+    reached = "a little more than " + reached;
   return fmt::format(
-      "asked for {:.2g} % in {}: {:.2g} %, that of {}, mostly by {}{}{}", 100 * within,
-      fmt::join(asked.texts("accuracy.of"), ", "), 100 * error, shown.values[worst].name,
+      "asked for {:.2g} % in {}: {} %, that of {}, mostly by {}{}{}", 100 * within,
+      fmt::join(asked.texts("accuracy.of"), ", "), reached, shown.values[worst].name,
       part == shown.parts.end() ? "nothing" : part->key, without,
       error > within ? "; this is NOT within it (gnomon plan shows what it takes)" : "");
 }
 
-std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget& shown) {
+std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Scene& settings,
+                             const Budget& shown) {
   const double within = asked.real("accuracy.within");
-  if (!(wanted_error(asked, shown) > within)) return {};
+  constexpr double sure = 0.85;  // estimates are not
+  if (!(wanted_error(asked, shown) > sure * within)) return {};
   const Repair repair = repair_of(plan, asked, shown);
   // What finer elements and steps cannot improve is no reason for them; and no more than half as
   // large elements at once, for estimates of large errors are rough.
@@ -148,11 +153,11 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget&
   factors.mesh = std::clamp(factors.mesh, 0.5, 1.0);
   factors.time = std::clamp(factors.time, 0.01, 1.0);
   if (factors.mesh == 1 && factors.time == 1 && repair.phases.empty()) return {};
-  Scene scene = plan.scene;
+  Scene scene = settings;
   const auto scale = [&scene](const Key& key, double factor) {
     scene = key.controls->scaled(scene, factor).value_or(scene);
   };
-  for (const Key& key : plan.scene.controlling_keys()) {
+  for (const Key& key : settings.controlling_keys()) {
     if (key.name == repair.phases) scale(key, 0.5);
     if (key.name == repair.mesh && !key.controls->judges_only) scale(key, factors.mesh);
     if (key.controls->source == ErrorSource::time) scale(key, factors.time);

@@ -45,9 +45,10 @@ Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, Bud
 /// which accuracy_text() says.
 double wanted_error(const Scene& scene, const Budget& budget);
 
-/// The scene of a plan once more, with settings that bring the errors which its run has shown
-/// within the asked one; nothing where they are, or where no free key would.
-std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Budget& shown);
+/// The scene of a planned run with other settings, that bring the errors which this run has shown
+/// within the asked one; nothing where they surely are, or where no free key would.
+std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Scene& settings,
+                             const Budget& shown);
 
 /// A table for a terminal.
 std::string plan_text(const Plan& plan);
