@@ -107,12 +107,14 @@ double mean_edge(const ImportedMesh& mesh, const FineZone& fine) {
   return count > 0 ? sum / count : 0;
 }
 
-/// Whether the geometry gives the number of elements of the contact.
-bool is_fixed(const Scene& scene, FineZone fine, double size) {
-  constexpr double finer = 0.5, clearly = 1.4;
+/// Whether the geometry gives the number of elements of the contact: edges are as long as those of
+/// a mesh of a size twice as large or more.
+bool is_fixed(const Scene& scene, FineZone fine, double size, double edge) {
+  constexpr double finer = 0.5, clearly = 0.75;
   fine.size = finer * size;
   fine.balls = merged(fine.balls, fine.size);
-  return mean_edge(read_mesh(scene, fine), fine) > clearly * fine.size;
+  const double now = mean_edge(read_mesh(scene, fine), fine);
+  return now == 0 || now > clearly * edge;
 }
 
 /// What `check` and `run` print of the mesh.
@@ -171,7 +173,7 @@ std::optional<Scene> with_contact_size(const Scene& scene) {
   }
   double size = extent_of(fine) / across;
   if (own_edge > 0) size = std::min(size, own_edge);
-  if (has_sizes && is_fixed(scene, fine, size)) return {};
+  if (has_sizes && is_fixed(scene, fine, size, mean_edge(mesh, fine))) return {};
   const double digit = std::pow(10, std::floor(std::log10(size)));
   return scene.with(size_key, std::round(10 * size / digit) * digit / 10);
 }

@@ -173,7 +173,7 @@ Physical Point("corners") = {1, 2, 3, 4};
       chosen(of_points + "MeshSize {:} = 2; MeshSize {3, 4} = 0.1;\n");
   ASSERT_TRUE(finer);
   EXPECT_NEAR(finer->real("mesh.contact_size"), 0.1, 0.02) << "that of the script is smaller";
-  EXPECT_FALSE(chosen(of_points + "Transfinite Curve {3} = 5;\n")) << "it fixes their number";
+  EXPECT_FALSE(chosen(of_points + "Transfinite Curve {3} = 21;\n")) << "it fixes their number";
 }
 
 }  // namespace
