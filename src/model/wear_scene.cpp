@@ -109,16 +109,33 @@ InputError unsound_law(const Scene& scene, const RecoverableError& error) {
 
 namespace {
 
-/// What steps see of a law that changes with time by itself.
-std::string remark_on_time(const LawInTime& in_time, std::size_t stops, double fixed_step) {
+/// What steps see of a law that changes with time by itself. Refuses one whose changes they cannot
+/// follow. `stops`: none where there would be too many.
+std::string remark_on_time(const LawInTime& in_time,
+                           const std::optional<std::vector<double>>& stops, double fixed_step,
+                           const std::string& where) {
+  constexpr double most = 0.05, right = 1e-2, parts = 16;
+  const double resolution = in_time.resolution(), unseen = in_time.unseen_part(),
+               fast = stops ? 0 : in_time.fast_part();
+  const bool follows = fixed_step > 0 && fixed_step < resolution / parts;
+  if (!follows && std::max(unseen, fast) > most)
+    throw InputError(fmt::format(
+        "{}: expected changes with time that steps can follow; this rate changes by about {:.2g} "
+        "of its mean within {:.3g} s: give its mean over time, or a shorter run",
+        where, std::max(unseen, fast), resolution));
+  if (!in_time.changes()) return {};
+  if (!stops)
+    return fmt::format(
+        "the wear law changes with time by itself, by about {:.2g} of its mean within {:.3g} s, "
+        "which steps do not follow",
+        fast, resolution);
   if (fixed_step == 0)
     return fmt::format(
         "the wear law changes with time by itself: what lasts {:.3g} s or longer is found, and "
         "steps end at {} times for it; what is shorter may be stepped over",
-        in_time.resolution(), stops);
-  constexpr double right = 1e-2;
+        resolution, stops->size());
   const double seen = in_time.seen_by_steps(fixed_step);
-  if (std::abs(seen - 1) <= right) return {};
+  if (follows || std::abs(seen - 1) <= right) return {};
   return fmt::format(
       "the wear law changes with time faster than steps of {:g} s can follow: they see {:.3g} "
       "times what it wears over the run",
@@ -142,12 +159,11 @@ WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumsta
   };
   if (asks_for_wear(scene)) remark(remark_on_idle_law(law, range));
   const LawInTime in_time(law, range);
-  if (!in_time.changes()) return law;
   const double step = scene.real_if("integrator.step").value_or(0);
-  std::vector<double> stops;
+  std::optional<std::vector<double>> stops = std::vector<double>();
   if (step == 0) stops = in_time.stops(scene.real("integrator.rtol"));
-  remark(remark_on_time(in_time, stops.size(), step));
-  return law.with_stops(std::move(stops));
+  remark(remark_on_time(in_time, stops, step, where_law(scene, rate_key)));
+  return in_time.changes() ? law.with_stops(std::move(stops).value_or(std::vector<double>())) : law;
 }
 
 namespace {

@@ -52,7 +52,10 @@ LawInTime::LawInTime(const WearLaw& law, const WearRange& range)
       const double a = from + length * i / count,
                    b = i + 1 < count ? from + length * (i + 1) / count : ends_[k + 1];
       const double before = i > 0 ? pieces_.back().at_to : rate(a, from);
-      refine({a, b, before, rate((a + b) / 2, from), rate(b, from)}, from, 0);
+      const Piece part{a, b, before, rate((a + b) / 2, from), rate(b, from)};
+      const std::size_t first = pieces_.size();
+      refine(part, from, 0);
+      fast_ += missed_by(part, first);
     }
     begins_.push_back(pieces_.size());
   }
@@ -62,6 +65,41 @@ LawInTime::LawInTime(const WearLaw& law, const WearRange& range)
     changes_ |= std::abs(piece.at_middle - piece.at_from) > size ||
                 std::abs(piece.at_to - piece.at_from) > size;
   }
+}
+
+double LawInTime::Piece::at(double t) const {
+  return parabola(at_from, at_middle, at_to, (t - from) / (to - from));
+}
+
+/// Integral of what the parabola of a part misses of its pieces, which are the last ones.
+double LawInTime::missed_by(const Piece& part, std::size_t first) const {
+  double missed = 0;
+  for (std::size_t k = first; k < pieces_.size(); ++k) {
+    const Piece& piece = pieces_[k];
+    const double middle = (piece.from + piece.to) / 2;
+    missed += (piece.to - piece.from) / 6 *
+              (std::abs(piece.at_from - part.at(piece.from)) +
+               4 * std::abs(piece.at_middle - part.at(middle)) +
+               std::abs(piece.at_to - part.at(piece.to)));
+  }
+  return missed;
+}
+
+double LawInTime::unseen_part() const {
+  constexpr int samples = 4000;
+  constexpr double golden = 0.6180339887498949, clearly = 0.1;
+  if (pieces_.empty()) return 0;
+  double whole = 0, unseen = 0;
+  for (int k = 1; k <= samples; ++k) {
+    const double t = duration_ * (k * golden - std::floor(k * golden));
+    const Piece& piece = *std::prev(std::ranges::upper_bound(pieces_, t, {}, &Piece::from));
+    const double value = rate(t, *std::prev(std::ranges::upper_bound(ends_, t))),
+                 off = std::abs(value - piece.at(t));
+    whole += value;
+    if (off > clearly * std::max({value, piece.at_from, piece.at_middle, piece.at_to}))
+      unseen += off;
+  }
+  return whole > 0 ? unseen / whole : 0;
 }
 
 double LawInTime::rate(double t, double within) const {
@@ -106,8 +144,7 @@ bool LawInTime::shows(std::size_t first, std::size_t last, double tolerance) con
                                       pieces_.begin() + static_cast<std::ptrdiff_t>(last), middle,
                                       [](double t, const Piece& piece) { return t < piece.from; });
   const Piece& in = *std::prev(there);
-  const double at_middle =
-      parabola(in.at_from, in.at_middle, in.at_to, (middle - in.from) / (in.to - in.from));
+  const double at_middle = in.at(middle);
   double least = std::numeric_limits<double>::infinity(), whole = 0, missed = 0, squares = 0;
   const auto take = [&](double t, double value, double weight) {
     const double off =
@@ -140,7 +177,7 @@ void LawInTime::split(std::size_t first, std::size_t last, double tolerance,
   split(middle, last, tolerance, begins);
 }
 
-std::vector<double> LawInTime::stops(double tolerance) const {
+std::optional<std::vector<double>> LawInTime::stops(double tolerance) const {
   constexpr std::size_t most = 5000;
   std::vector<double> found;
   if (!changes_) return found;

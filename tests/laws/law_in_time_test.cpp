@@ -20,7 +20,7 @@ WearLaw law_of(const std::string& rate) {
 
 std::vector<double> stops(const std::string& rate, double tolerance = 1e-3) {
   const WearLaw law = law_of(rate);
-  return LawInTime(law, range).stops(tolerance);
+  return LawInTime(law, range).stops(tolerance).value();
 }
 
 TEST(LawInTime, ChangesWhereTheRateReadsTimeOrDistance) {
@@ -70,6 +70,20 @@ TEST(LawInTime, LeavesSlowChangesToErrorControl) {
   EXPECT_TRUE(stops("p*v*if(t<5,1000,1)").empty());  // a breakpoint
   // A pulse that wears less than the tolerance does not matter.
   EXPECT_TRUE(stops("p*v*(1 + exp(-((t-4321)/5)^2))", 1e-2).empty());
+}
+
+// sin^2 of a period of 1 s, 10,000 times, or of one at whose ends and quarters all samples are.
+TEST(LawInTime, KnowsThatStepsCannotFollow) {
+  const WearLaw fast = law_of("p*v*2*sin(2*pi*t/2)^2"),
+                hidden = law_of("p*v*(1 + 2*sin(2*pi*8*t/5)^2)"),
+                ripple = law_of("p*v*(1 + 0.01*sin(2*pi*t))"),
+                slow = law_of("p*v*2*sin(2*pi*t/1000)^2");
+  EXPECT_FALSE(LawInTime(fast, range).stops(1e-4));
+  EXPECT_NEAR(LawInTime(fast, range).fast_part(), 2 / M_PI, 0.2);  // mean of |cos|
+  EXPECT_NEAR(LawInTime(hidden, range).unseen_part(), 0.5, 0.05);  // samples are at its zeros
+  EXPECT_LT(LawInTime(ripple, range).fast_part() + LawInTime(ripple, range).unseen_part(), 0.02);
+  EXPECT_LT(LawInTime(slow, range).unseen_part(), 1e-3);
+  EXPECT_TRUE(LawInTime(slow, range).stops(1e-4));
 }
 
 TEST(LawInTime, SeesWhatFixedStepsSee) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gnomon/wear_laws/wear_law_kind.hpp>
+#include <optional>
 #include <vector>
 
 namespace gnomon {
@@ -17,9 +18,13 @@ public:
   bool changes() const { return changes_; }
   double resolution() const { return duration_ / parts; }  ///< [time]
   /// Times between which a parabola through both ends and the middle shows what the rate does, up
-  /// to a small part of it or to `tolerance` of its integral over the run. More than the most that
-  /// are useful: none.
-  std::vector<double> stops(double tolerance) const;
+  /// to a small part of it or to `tolerance` of its integral over the run. Nothing where it takes
+  /// more than 5000 of them.
+  std::optional<std::vector<double>> stops(double tolerance) const;
+  /// How much it changes within `resolution`, and how much of it samples at random times see that
+  /// those of this class do not: means of the differences over the mean rate.
+  double fast_part() const { return integral_ > 0 ? fast_ / integral_ : 0; }
+  double unseen_part() const;
   /// The part of its integral over the run that the trapezoidal rule with these steps, which also
   /// end at breakpoints, gives.
   double seen_by_steps(double step) const;
@@ -30,9 +35,12 @@ private:
   struct Piece {
     double from, to, at_from, at_middle, at_to;
     double integral() const { return (to - from) * (at_from + 4 * at_middle + at_to) / 6; }
+    /// The parabola through the samples.
+    double at(double t) const;
   };
   double rate(double t, double within) const;
   void refine(const Piece& piece, double within, int depth);
+  double missed_by(const Piece& part, std::size_t first) const;
   bool shows(std::size_t first, std::size_t last, double tolerance) const;
   void split(std::size_t first, std::size_t last, double tolerance,
              std::vector<std::size_t>& begins) const;
@@ -43,7 +51,7 @@ private:
   std::vector<double> ends_;         // of the smooth parts in time, from 0
   std::vector<Piece> pieces_;        // ascending
   std::vector<std::size_t> begins_;  // of the smooth parts in pieces_; last: their number
-  double integral_ = 0;
+  double integral_ = 0, fast_ = 0;
   bool changes_ = false;
 };
 
