@@ -83,7 +83,8 @@ ShapeMotion<dim> read_gap_motion(const Scene& scene, const AssemblyParts<dim>& p
 }
 
 /// Whether the elasticity is condensed. Where the scene does not say so: where the condensed
-/// matrix, which is full, has fewer entries than the stiffness.
+/// matrix, which is full, has fewer entries than the stiffness; in the plane four times as many,
+/// where factors of the stiffness fill in.
 template <int dim>
 bool read_condensed(const Scene& scene, const AssemblyParts<dim>& parts) {
   const std::string reason = varying_stiffness(parts);
@@ -99,9 +100,9 @@ bool read_condensed(const Scene& scene, const AssemblyParts<dim>& parts) {
     rows[connected[static_cast<std::size_t>(node)]] += dim;
   double entries = 0;
   for (const auto& [part, count] : rows) entries += count * count;
-  const double row_of_stiffness = dim * std::pow(3, dim);  // entries
+  const double row_of_stiffness = dim * std::pow(3, dim), fill = dim == 2 ? 4 : 1;  // entries
   return reason.empty() &&
-         entries < row_of_stiffness * dim * static_cast<double>(parts.mesh.nodes.size());
+         entries < fill * row_of_stiffness * dim * static_cast<double>(parts.mesh.nodes.size());
 }
 
 template <int dim>
