@@ -100,7 +100,7 @@ void join_reachable_boundary(const Magnitudes& magnitudes, AssemblyParts<dim>& p
 
 /// Where wear as a gap keeps the worn shape to about 1e-3, and where not (docs/gap.md).
 template <int dim>
-void judge_gap(const Magnitudes& expected, AssemblyParts<dim>& parts) {
+void judge_gap(const Scene& scene, const Magnitudes& expected, AssemblyParts<dim>& parts) {
   constexpr double most_slope = 0.5, most_thinning = 0.06;
   const bool does = expected.slope <= most_slope && expected.thinning <= most_thinning;
   const std::string extent = fmt::format(
@@ -108,7 +108,7 @@ void judge_gap(const Magnitudes& expected, AssemblyParts<dim>& parts) {
       "body's size",
       expected.slope, expected.thinning);
   const bool small = has_small_strains(parts.bodies);
-  if (parts.shape.gap && !does)
+  if (parts.shape.gap && !does && scene.is_set("shape.motion"))  // a plan has measured it
     parts.remarks.push_back(
         fmt::format("wear is a gap: {}; above {:g} and {:g} use shape.motion = \"mesh\"", extent,
                     most_slope, most_thinning));
@@ -196,7 +196,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   complete_surface_laws(scene, parts);
   append(parts.remarks, remarks_on_passing_material(scene, parts));
   parts = completed(scene, magnitudes.facet, std::move(parts));
-  judge_gap(magnitudes, parts);
+  judge_gap(scene, magnitudes, parts);
   require_moving_shape(scene, patches, parts.shape);
   require_held(scene, parts, units);
   return parts;
