@@ -53,7 +53,11 @@ PlannedRun run_planned(const Scene& asked, const Plan& plan) {
     return run;
   };
   PlannedRun run = judged(plan.scene, 1);
-  if (const auto finer = refined(plan, asked, run.shown)) run = judged(*finer, 2);
+  Scene settings = plan.scene;
+  while (const auto finer = refined(plan, asked, settings, run.shown, run.runs)) {
+    settings = *finer;
+    run = judged(settings, run.runs + 1);
+  }
   return run;
 }
 

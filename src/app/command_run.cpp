@@ -86,9 +86,10 @@ private:
 /// A planned run, again with finer settings where its budget shows that it is not within what was
 /// asked, or that this is not sure. False: it stays as it is.
 bool run_again(const Plan& plan, const Scene& asked, const RunOptions& options, bool quiet,
-               Scene& settings, Run& run) {
+               Scene& settings, Run& run, int runs) {
+  if (run.outcome.budget.empty()) return false;
   const Budget shown = budget_of_json(run.outcome.budget);
-  const auto finer = refined(plan, asked, settings, shown);
+  const auto finer = refined(plan, asked, settings, shown, runs);
   if (!finer) return false;
   const bool met = wanted_error(asked, shown) <= asked.real("accuracy.within");
   print_unless(quiet, fmt::format("{}\nonce more, {}: {}\n", accuracy_text(asked, shown),
@@ -100,7 +101,7 @@ bool run_again(const Plan& plan, const Scene& asked, const RunOptions& options, 
       before.drop();
       run = std::move(again);
       settings = *finer;
-      return !met && !run.outcome.budget.empty();
+      return true;
     }
     print_remarks({"once more is " + again.outcome.text() + ": the result is that of before"});
   } catch (const InputError& error) {  // of the finer mesh
@@ -109,17 +110,16 @@ bool run_again(const Plan& plan, const Scene& asked, const RunOptions& options, 
   return false;
 }
 
-/// With settings that meet accuracy.within, and again with finer ones, twice at most.
+/// With settings that meet accuracy.within, and again with finer ones.
 Run run_planned(const Scene& asked, const RunOptions& options, Earlier earlier) {
   const bool quiet = options.quiet || options.summary == "-";
   const KeptMeshes meshes;
   const Plan plan = planned(asked, options.quiet);
   print_unless(quiet, plan_text(plan));
   Run run = run_scene(plan.scene, options, earlier, &plan);
-  if (run.outcome.budget.empty()) return run;
   Scene settings = plan.scene;
-  for (int k = 0; k < 2 && run_again(plan, asked, options, quiet, settings, run); ++k) {
-  }
+  int runs = 1;
+  while (run_again(plan, asked, options, quiet, settings, run, runs)) ++runs;
   if (!run.outcome.budget.empty())
     print_unless(quiet, accuracy_text(asked, budget_of_json(run.outcome.budget)) + "\n");
   return run;

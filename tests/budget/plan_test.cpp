@@ -138,8 +138,11 @@ TEST(Plan, IsRefinedWhereItsRunShowsMore) {
                   .parts = {{ErrorSource::mesh, "mesh.elements", "", {mesh}},
                             {ErrorSource::time, "integrator.rtol", "", {time}}}};
   };
-  EXPECT_FALSE(refined(made, asked, made.scene, shown(0.003, 0.005)));
-  const auto finer = refined(made, asked, made.scene, shown(0.001, 0.03));
+  EXPECT_FALSE(refined(made, asked, made.scene, shown(0.003, 0.005), 1));
+  EXPECT_TRUE(refined(made, asked, made.scene, shown(0.004, 0.005), 1)) << "not sure";
+  EXPECT_FALSE(refined(made, asked, made.scene, shown(0.004, 0.005), 2));
+  EXPECT_FALSE(refined(made, asked, made.scene, shown(0.001, 0.03), 3)) << "often enough";
+  const auto finer = refined(made, asked, made.scene, shown(0.001, 0.03), 1);
   ASSERT_TRUE(finer);
   EXPECT_LT(finer->real("integrator.rtol"), asked.real("integrator.rtol") / 3);
   // The mesh is given.
@@ -156,7 +159,7 @@ TEST(Plan, IsRefinedInPhasesThatItChose) {
                   .remarks = {}};
   const Budget shown{.values = {{"wear_depth", "mm", 1}},
                      .parts = {{ErrorSource::phases, "cycle.phases", "", {0.02}}}};
-  const auto finer = refined(made, asked, made.scene, shown);
+  const auto finer = refined(made, asked, made.scene, shown, 1);
   ASSERT_TRUE(finer);
   EXPECT_EQ(finer->reals("cycle.phases"), std::vector<double>{32});
 }

@@ -45,10 +45,11 @@ Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, Bud
 /// which accuracy_text() says.
 double wanted_error(const Scene& scene, const Budget& budget);
 
-/// The scene of a planned run with other settings, that bring the errors which this run has shown
-/// within the asked one; nothing where they surely are, or where no free key would.
+/// The scene of a planned run, which has been made `runs` times, with other settings, that bring
+/// the errors which the last one has shown within the asked one. Nothing where they are, after one
+/// run surely, after three runs, or where no free key would.
 std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Scene& settings,
-                             const Budget& shown);
+                             const Budget& shown, int runs);
 
 /// A table for a terminal.
 std::string plan_text(const Plan& plan);
