@@ -99,8 +99,9 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
                        .on_warning = [&](const std::string& text) { progress.warn(text); },
                        .judge = judge,
                        .interrupted = InterruptGuard::interrupted};
-  return run(*setup.model, chosen_integrator(setup.scene), settings, store_policy(setup.scene),
-             &writer, hooks, from);
+  StorePolicy policy = store_policy(setup.scene);
+  if (plan) policy.phase_tolerance = plan->chosen().within;
+  return run(*setup.model, chosen_integrator(setup.scene), settings, policy, &writer, hooks, from);
 }
 
 int report_end(const RunOutcome& outcome, const RunOptions& options, bool has_mesh, bool kept) {

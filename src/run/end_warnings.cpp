@@ -30,8 +30,8 @@ std::vector<std::string> end_warnings(const Observation& last, double invisible,
 std::string phase_warning(const PhaseError& at_start, double tolerance) {
   if (at_start.error <= tolerance) return {};
   return fmt::format(
-      "the mean over {} has an error of about {:.1g}, more than {:g}, the tolerance of the steps, "
-      "and so may the worn shape: more phases make it smaller (cycle.phases)",
+      "the mean over {} has an error of about {:.1g}, more than the tolerance of {:g}, and so may "
+      "the worn shape: more phases make it smaller (cycle.phases)",
       phases_text(at_start.phases), at_start.error, tolerance);
 }
 

@@ -290,7 +290,8 @@ private:
       if (writer_) writer_->append_phase_error(*error);
       outcome_.phase_errors.push_back(*error);
       if (state().t > 0) return;
-      const double tolerance = settings_.step > 0 ? phase_tolerance_of_fixed_steps : settings_.rtol;
+      const double of_steps = settings_.step > 0 ? phase_tolerance_of_fixed_steps : settings_.rtol;
+      const double tolerance = policy_.phase_tolerance.value_or(of_steps);
       if (const std::string text = phase_warning(*error, tolerance); !text.empty()) warn(text);
     } catch (const SolutionError& error) {
       warn(unknown_phase_error(error.what()));
