@@ -83,7 +83,8 @@ Extrapolated extrapolated(double fine, double coarse) {
   const double difference =
       std::isnan(coarse) ? std::abs(fine) : std::max(std::abs(fine), std::abs(coarse) / 8);
   const double observed = std::log2(coarse / fine);  // not a number where the signs differ
-  const double order = observed >= least && observed <= most ? observed : usual_order;
+  const double order =
+      observed >= least && observed <= most ? std::max(observed, 1.0) : usual_order;
   return {difference / (std::exp2(order) - 1), order};
 }
 

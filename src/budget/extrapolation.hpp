@@ -37,9 +37,8 @@ struct Extrapolated {
 /// differences between neighbours; the second is not_known if there are only two. Where they do not
 /// fall as an error of order 0.5 to 2 does, chance has a part in them (which node is the last
 /// closed one), and the order is taken as the usual one: for 1 and 2 the estimate is then wrong by
-/// a factor of 1.8. (Orders below 0.5 taken as 0.5 make estimates worse: docs/notes/accuracy.md's
-/// scenes, 80 % within a factor of three instead of 83 %.) Differences that fall faster than with
-/// h^3 do so by chance.
+/// a factor of 1.8. Orders below 1, which a contact with edges off the nodes does not have, are
+/// taken as 1 (docs/notes/accuracy.md). Differences that fall faster than with h^3 do so by chance.
 Extrapolated extrapolated(double fine, double coarse);
 
 }  // namespace gnomon::budget

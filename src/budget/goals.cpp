@@ -88,9 +88,8 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   const bool in_plane = half_width && !(area && area->unit == "mm^2");
   add(in_plane ? "contact_half_width" : "contact_area");
   const double size = in_plane ? 2 * *half_width : area ? area->value : 0;
-  if (const auto unknown = value_of(observed, "contact_area_error");
-      unknown && !in_plane && goals.surface.dim == 2 && size > 0)
-    goals.area = 0.5 * *unknown / size;
+  if (const auto bound = value_of(observed, "contact_area_error"); bound && !in_plane && size > 0)
+    goals.area = (goals.surface.dim == 2 ? 0.5 : 0.25) * *bound / size;
   if (const auto force = value_of(observed, "contact_force"))
     goals.values.push_back({"mean_pressure", "MPa", size > 0 ? *force / size : 0});
   goals.values.push_back(

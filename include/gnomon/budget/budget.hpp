@@ -21,8 +21,8 @@ struct Goals {
   long nodes = 0;       ///< of the mesh; 0 without one
   double ledger = 0;    ///< |wear_difference| as a part of worn_volume
   double nonzeros = 0;  ///< of its Jacobian
-  /// Of bodies of revolution: the half of contact_area_error, which is a bound, as a part of
-  /// contact_area.
+  /// Of bodies of revolution and in space: what the last closed nodes leave open of contact_area,
+  /// as a part of it. A half and a quarter of contact_area_error, which is a bound.
   double area = 0;
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
   /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
