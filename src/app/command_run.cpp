@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  static fs::path aside(fs::path name) { return name += ".first"; }
+  static fs::path aside(fs::path name) { return name += ".before"; }
   static void move(const fs::path& from, const fs::path& to) {
     std::error_code ignored;
     if (fs::exists(from, ignored)) fs::rename(from, to, ignored);
@@ -83,47 +83,56 @@ private:
   std::array<fs::path, 2> names_;
 };
 
-/// A planned run, again with finer settings where its budget shows that it is not within what was
-/// asked, or that this is not sure. False: it stays as it is.
-bool run_again(const Plan& plan, const Scene& asked, const RunOptions& options, bool quiet,
-               Scene& settings, Run& run, int runs) {
-  if (run.outcome.budget.empty()) return false;
-  const Budget shown = budget_of_json(run.outcome.budget);
-  const auto finer = refined(plan, asked, settings, shown, runs);
-  if (!finer) return false;
-  const bool met = wanted_error(asked, shown) <= asked.real("accuracy.within");
-  print_unless(quiet, fmt::format("{}\nonce more, {}: {}\n", accuracy_text(asked, shown),
-                                  met ? "to be sure" : "finer", change_text(settings, *finer)));
-  PutAside before(options.result);
-  try {
-    Run again = run_scene(*finer, options, Earlier::replaced, &plan);
-    if (again.outcome.status == RunOutcome::Status::finished) {
-      before.drop();
-      run = std::move(again);
-      settings = *finer;
-      return true;
-    }
-    print_remarks({"once more is " + again.outcome.text() + ": the result is that of before"});
-  } catch (const InputError& error) {  // of the finer mesh
-    print_remarks({fmt::format("not done once more: {}", error.what())});
-  }
-  return false;
-}
+/// Runs with settings that meet accuracy.within, and again with finer ones where a budget shows
+/// that they do not, or not surely.
+class PlannedRun {
+public:
+  PlannedRun(const Scene& asked, const RunOptions& options)
+      : asked_(asked), options_(options), quiet_(options.quiet || options.summary == "-") {}
 
-/// With settings that meet accuracy.within, and again with finer ones.
-Run run_planned(const Scene& asked, const RunOptions& options, Earlier earlier) {
-  const bool quiet = options.quiet || options.summary == "-";
-  const KeptMeshes meshes;
-  const Plan plan = planned(asked, options.quiet);
-  print_unless(quiet, plan_text(plan));
-  Run run = run_scene(plan.scene, options, earlier, &plan);
-  Scene settings = plan.scene;
-  int runs = 1;
-  while (run_again(plan, asked, options, quiet, settings, run, runs)) ++runs;
-  if (!run.outcome.budget.empty())
-    print_unless(quiet, accuracy_text(asked, budget_of_json(run.outcome.budget)) + "\n");
-  return run;
-}
+  Run operator()(Earlier earlier) {
+    print_unless(quiet_, plan_text(plan_));
+    Run run = run_scene(settings_, options_, earlier, &plan_);
+    for (int runs = 1; again(run, runs); ++runs) {
+    }
+    if (!run.outcome.budget.empty())
+      print_unless(quiet_, accuracy_text(asked_, budget_of_json(run.outcome.budget)) + "\n");
+    return run;
+  }
+
+private:
+  /// False: the run stays as it is.
+  bool again(Run& run, int runs) {
+    if (run.outcome.budget.empty()) return false;
+    const Budget shown = budget_of_json(run.outcome.budget);
+    const auto finer = refined(plan_, asked_, settings_, shown, runs);
+    if (!finer) return false;
+    const bool met = wanted_error(asked_, shown) <= asked_.real("accuracy.within");
+    print_unless(quiet_, fmt::format("{}\nonce more, {}: {}\n", accuracy_text(asked_, shown),
+                                     met ? "to be sure" : "finer", change_text(settings_, *finer)));
+    PutAside before(options_.result);
+    try {
+      Run next = run_scene(*finer, options_, Earlier::replaced, &plan_);
+      if (next.outcome.status == RunOutcome::Status::finished) {
+        before.drop();
+        run = std::move(next);
+        settings_ = *finer;
+        return true;
+      }
+      print_remarks({"once more is " + next.outcome.text() + ": the result is that of before"});
+    } catch (const InputError& error) {  // of the finer mesh
+      print_remarks({fmt::format("not done once more: {}", error.what())});
+    }
+    return false;
+  }
+
+  const Scene& asked_;
+  const RunOptions& options_;
+  bool quiet_;
+  KeptMeshes meshes_;
+  Plan plan_ = planned(asked_, options_.quiet);
+  Scene settings_ = plan_.scene;  ///< of the last run
+};
 
 }  // namespace
 
@@ -138,7 +147,7 @@ int run_command(const RunOptions& given) {
   if (!options.quiet) warn_of_slow_blas();
   const Earlier earlier = options.force ? Earlier::replaced : Earlier::refused;
   const auto [setup, header, settings, outcome] = scene.has("accuracy.within")
-                                                      ? run_planned(scene, options, earlier)
+                                                      ? PlannedRun(scene, options)(earlier)
                                                       : run_scene(scene, options, earlier);
   write_summary(options, summary_json(setup.scene, header, settings, outcome, setup.model->remarks),
                 outcome.last.has_value());

@@ -38,7 +38,9 @@ struct Extrapolated {
 /// fall as an error of order 0.5 to 2 does, chance has a part in them (which node is the last
 /// closed one), and the order is taken as the usual one: for 1 and 2 the estimate is then wrong by
 /// a factor of 1.8. Orders below 1, which a contact with edges off the nodes does not have, are
-/// taken as 1 (docs/notes/accuracy.md). Differences that fall faster than with h^3 do so by chance.
+/// taken as 1: of eleven estimates that this changed, in seven scenes of docs/notes/accuracy.md,
+/// all came nearer to the true error and none below it. Differences that fall faster than with h^3
+/// do so by chance.
 Extrapolated extrapolated(double fine, double coarse);
 
 }  // namespace gnomon::budget

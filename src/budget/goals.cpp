@@ -14,14 +14,14 @@ namespace gnomon {
 
 namespace {
 
-Eigen::Vector3d vector_of(const std::array<double, 3>& point) {
-  return {point[0], point[1], point[2]};
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return (Eigen::Vector3d::Map(a.data()) - Eigen::Vector3d::Map(b.data())).norm();
 }
 
 double profile_norm(const ContactSurface& surface) {
   double sum = 0;
   for (std::size_t i = 0; i < surface.worn.size(); ++i)
-    sum += (vector_of(surface.worn[i]) - vector_of(surface.initial[i])).squaredNorm();
+    sum += std::pow(distance(surface.worn[i], surface.initial[i]), 2);
   return std::sqrt(sum);
 }
 
@@ -53,7 +53,7 @@ void add_edges(const Grid& grid, const std::vector<std::vector<std::size_t>>& ne
     goals.body.push_back(body_of[static_cast<std::size_t>(surface.node[i])]);
     double edge = std::numeric_limits<double>::infinity();
     for (const std::size_t j : neighbours[i])
-      edge = std::min(edge, (vector_of(surface.initial[i]) - vector_of(surface.initial[j])).norm());
+      edge = std::min(edge, distance(surface.initial[i], surface.initial[j]));
     goals.edge.push_back(edge);
   }
 }

@@ -12,8 +12,8 @@ namespace {
 
 using Nodes = std::vector<std::size_t>;
 
-Eigen::Vector3d vector_of(const std::array<double, 3>& point) {
-  return {point[0], point[1], point[2]};
+Eigen::Vector3d place_of(const ContactSurface& surface, std::size_t node) {
+  return Eigen::Vector3d::Map(surface.initial[node].data());
 }
 
 /// Connected nodes under pressure. Where no neighbours are known they are one patch.
@@ -42,10 +42,10 @@ struct Box {
 };
 
 Box box_of(const ContactSurface& surface, const Nodes& patch) {
-  Box box{vector_of(surface.initial[patch[0]]), vector_of(surface.initial[patch[0]])};
+  Box box{place_of(surface, patch[0]), place_of(surface, patch[0])};
   for (const std::size_t i : patch) {
-    box.least = box.least.cwiseMin(vector_of(surface.initial[i]));
-    box.most = box.most.cwiseMax(vector_of(surface.initial[i]));
+    box.least = box.least.cwiseMin(place_of(surface, i));
+    box.most = box.most.cwiseMax(place_of(surface, i));
   }
   return box;
 }
@@ -80,7 +80,7 @@ Nodes inside_of(const ContactSurface& surface, const Nodes& patch) {
       }
   }
   const auto apart = [&](std::size_t i) -> Eigen::Vector3d {
-    return vector_of(surface.initial[i]) - middle;
+    return place_of(surface, i) - middle;
   };
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(3, 3);
   for (const std::size_t i : patch) covariance += apart(i) * apart(i).transpose();
@@ -125,8 +125,10 @@ Nodes inner_nodes(const ContactSurface& surface, const std::vector<Nodes>& neigh
   constexpr std::size_t least = 3;  // of a patch that has an inside
   Nodes inner;
   const std::vector<Nodes> patches = patches_of(surface, neighbours);
+  const bool all_small =
+      std::ranges::all_of(patches, [&](const Nodes& patch) { return patch.size() < least; });
   for (const Nodes& patch : patches)
-    if (patches.size() == 1 || patch.size() >= least)
+    if (all_small || patch.size() >= least)
       std::ranges::copy(inside_of(surface, patch), std::back_inserter(inner));
   return inner;
 }

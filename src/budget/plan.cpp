@@ -33,7 +33,7 @@ public:
     for (const bool mesh : {false, true})  // elements by where bodies touch in the chosen phases
       for (const Key& key : scene.controlling_keys())
         if (key.controls->chosen && (key.controls->source == ErrorSource::mesh) == mesh)
-          scene_ = key.controls->chosen(scene_).value_or(scene_);
+          choose(key);
     trade_.free_time = time_ && !scene.is_set(time_->name);
     trade_.free_mesh = mesh_ && !scene.is_set(mesh_->name);
   }
@@ -64,10 +64,10 @@ private:
     return !failure;
   }
 
-  static double read_within(const Scene& scene) {
-    if (const auto within = scene.real_if("accuracy.within")) return *within;
-    throw InputError(scene.path().string() +
-                     ": expected accuracy.within, the error that the result may have");
+  void choose(const Key& key) {
+    const auto failure =
+        failure_of([&] { scene_ = key.controls->chosen(scene_).value_or(scene_); });
+    if (failure) remarks_.push_back(fmt::format("{} stays as it is: {}", key.name, *failure));
   }
 
   Scene with(Factors factors) const {
@@ -172,39 +172,22 @@ private:
       pilot_ = finer;
       return measure_mesh();
     }
-    learn_mesh(*coarse_, *finer_trial, finer.mesh);
+    learn_mesh(*coarse_, *finer_trial, finer.mesh, places_, trade_);
     measure_finer(std::move(*finer_trial), finer.mesh);
   }
 
   /// Few nodes touch on coarse elements, so that chance has a part in what they differ by: goes on
-  /// to elements four times as large as those that the plan would take.
+  /// to elements that are less than four times as large as those that the plan would take.
   void measure_finer(Trial last, double factor) {
     while (trade_.free_mesh && 4 * cheapest(trade_, within_).mesh <= factor) {
       factor /= 2;
       const auto failure = failure_of([&] {
         Trial next = pilot({factor, pilot_.time}, "a pilot on elements of half this size");
-        learn_mesh(last, next, factor);
+        learn_mesh(last, next, factor, places_, trade_);
         last = std::move(next);
       });
       if (failure) return;
     }
-  }
-
-  /// From elements of twice a size to those of this one, the size being `factor`.
-  void learn_mesh(const Trial& coarse, const Trial& fine, double factor) {
-    std::vector<double> errors = mesh_differences(coarse.goals, fine.goals);
-    for (double& error : errors) error /= std::exp2(usual_order) - 1;
-    respect_area(fine.goals, errors);
-    const double of_fine = largest(errors, places_);
-    trade_.mesh = std::max(of_fine / std::pow(factor, usual_order), 0.5 * trade_.mesh);
-    trade_.cost_mesh = cost_of_nodes * nodes_added(coarse.goals, fine.goals);
-    trade_.seconds = fine.cpu_seconds * std::pow(factor, trade_.cost_mesh);
-  }
-
-  /// By elements of half the size: as a power of two.
-  static double nodes_added(const Goals& coarse, const Goals& fine) {
-    if (coarse.nodes == 0) return fine.surface.dim;
-    return std::log2(static_cast<double>(fine.nodes) / static_cast<double>(coarse.nodes));
   }
 
   /// A mesh that is given stays; what it is wrong by, a finer one tells.
@@ -299,7 +282,6 @@ private:
           seconds));
   }
 
-  static constexpr double cost_of_nodes = 1.2;  ///< of CPU time in the number of nodes
   static constexpr double small_part = 0.25;    ///< of what may be, of models and phases
   static constexpr double time_of_pilots = 10;  ///< times the default of the tolerance
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "budget/extrapolation.hpp"
+#include "budget/wanted.hpp"
 
 namespace gnomon::budget {
 
@@ -33,6 +35,27 @@ PlanLine predicted(const Trade& trade, Factors factors) {
   line.cpu_seconds = trade.seconds * std::pow(factors.mesh, -trade.cost_mesh) *
                      std::pow(factors.time, -trade.cost_time);
   return line;
+}
+
+namespace {
+
+/// By elements of half the size: as a power of two.
+double nodes_added(const Goals& coarse, const Goals& fine) {
+  if (coarse.nodes == 0) return fine.surface.dim;
+  return std::log2(static_cast<double>(fine.nodes) / static_cast<double>(coarse.nodes));
+}
+
+}  // namespace
+
+void learn_mesh(const Trial& coarse, const Trial& fine, double factor,
+                const std::vector<std::size_t>& places, Trade& trade) {
+  constexpr double cost_of_nodes = 1.2, least_cost = 0.3;  // powers of CPU time
+  std::vector<double> errors = mesh_differences(coarse.goals, fine.goals);
+  for (double& error : errors) error /= std::exp2(usual_order) - 1;
+  respect_area(fine.goals, errors);
+  trade.mesh = std::max(largest(errors, places) / std::pow(factor, usual_order), 0.5 * trade.mesh);
+  trade.cost_mesh = std::max(cost_of_nodes * nodes_added(coarse.goals, fine.goals), least_cost);
+  trade.seconds = fine.cpu_seconds * std::pow(factor, trade.cost_mesh);
 }
 
 Factors cheapest(const Trade& trade, double within) {

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <gnomon/budget/plan.hpp>
+#include <vector>
+
+#include "budget/trial.hpp"
 
 namespace gnomon::budget {
 
@@ -29,5 +32,11 @@ PlanLine predicted(const Trade& trade, Factors factors);
 /// others may still be that quarter. Where no factors reach this: the finest mesh, and steps that
 /// suit it.
 Factors cheapest(const Trade& trade, double within);
+
+/// What a pilot on elements of `factor` times a size, and one on twice as large ones, tell of the
+/// mesh: its error in the wanted places, at least a half of what coarser pilots have told, and
+/// cost.
+void learn_mesh(const Trial& coarse, const Trial& fine, double factor,
+                const std::vector<std::size_t>& places, Trade& trade);
 
 }  // namespace gnomon::budget

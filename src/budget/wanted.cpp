@@ -29,6 +29,12 @@ const std::map<std::string, std::vector<std::string>> wanted_names = {
 
 }  // namespace
 
+double read_within(const Scene& scene) {
+  if (const auto within = scene.real_if("accuracy.within")) return *within;
+  throw InputError(scene.path().string() +
+                   ": expected accuracy.within, the error that the result may have");
+}
+
 std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Scalar>& values) {
   std::vector<std::size_t> places;
   if (scene.texts("accuracy.of").empty())
@@ -79,6 +85,13 @@ struct Repair {
   std::string mesh, phases;  ///< keys to change; empty: none
 };
 
+/// Whether a key judges a mesh that stays as it is, as mesh.split does.
+bool judges_only(const Scene& scene, const std::string& key) {
+  const std::vector<Key> keys = scene.controlling_keys();
+  const auto found = std::ranges::find(keys, key, &Key::name);
+  return found != keys.end() && found->controls->judges_only;
+}
+
 Repair repair_of(const Plan& plan, const Scene& asked, const Budget& shown) {
   constexpr double phases_part = 0.3;  // of what may be: more of it calls for more phases
   const std::vector<std::size_t> places = wanted_places(asked, shown.values);
@@ -88,7 +101,7 @@ Repair repair_of(const Plan& plan, const Scene& asked, const Budget& shown) {
     if (!part.unknown.empty()) continue;
     const double error = largest(part.errors, places);
     const bool is_free =
-        !asked.is_set(part.key) &&
+        !asked.is_set(part.key) && !judges_only(asked, part.key) &&
         std::ranges::find(plan.known, part.key, &BudgetPart::key) == plan.known.end();
     if (part.source == ErrorSource::time && is_free) {
       repair.trade.time = error;
@@ -160,9 +173,10 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Scene& 
   };
   for (const Key& key : settings.controlling_keys()) {
     if (key.name == repair.phases) scale(key, 0.5);
-    if (key.name == repair.mesh && !key.controls->judges_only) scale(key, factors.mesh);
+    if (key.name == repair.mesh) scale(key, factors.mesh);
     if (key.controls->source == ErrorSource::time) scale(key, factors.time);
   }
+  if (Scene::differing_keys(settings, scene).empty()) return {};
   return scene;
 }
 

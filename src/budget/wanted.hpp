@@ -6,6 +6,9 @@
 
 namespace gnomon::budget {
 
+/// accuracy.within. Throws InputError where the scene does not have it.
+double read_within(const Scene& scene);
+
 /// Their places among `values`. Throws InputError for a word that has no value.
 std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Scalar>& values);
 

@@ -117,8 +117,8 @@ std::string remark_on_time(const LawInTime& in_time,
   constexpr double most = 0.05, right = 1e-2, parts = 16;
   const double resolution = in_time.resolution(), unseen = in_time.unseen_part(),
                fast = stops ? 0 : in_time.fast_part();
-  const bool follows = fixed_step > 0 && fixed_step < resolution / parts;
-  if (!follows && std::max(unseen, fast) > most)
+  if (unseen > most && fixed_step > 0 && fixed_step < resolution / parts) return {};
+  if (std::max(unseen, fast) > most)
     throw InputError(fmt::format(
         "{}: expected changes with time that steps can follow; this rate changes by about {:.2g} "
         "of its mean within {:.3g} s: give its mean over time, or a shorter run",
@@ -135,7 +135,7 @@ std::string remark_on_time(const LawInTime& in_time,
         "steps end at {} times for it; what is shorter may be stepped over",
         resolution, stops->size());
   const double seen = in_time.seen_by_steps(fixed_step);
-  if (follows || std::abs(seen - 1) <= right) return {};
+  if (std::abs(seen - 1) <= right) return {};
   return fmt::format(
       "the wear law changes with time faster than steps of {:g} s can follow: they see {:.3g} "
       "times what it wears over the run",

@@ -29,14 +29,15 @@ std::string idle_beside_bodies(const Scene& scene) {
   return has_bodies(scene) ? "each [[body]] has its own" : "";
 }
 
-/// Of a geometry; a mesh is what it is. Edges away from a contact that has a size of its own change
-/// by the square root: their part of the error falls with their square.
+/// Of a geometry; a mesh is what it is. Where a plan has chosen a size for the contact, edges away
+/// from it change by the square root: their part of the error falls with their square.
 std::optional<Scene> with_scaled_edges(const Scene& scene, double factor) {
   if (!has_geometry(scene)) return {};
   const auto scaled = [](const Scene& given, const char* key, double by) {
     return given.with(key, by * given.real(key));
   };
-  if (!scene.given("mesh.contact_size")) return scaled(scene, "mesh.factor", factor);
+  if (!scene.given("mesh.contact_size") || scene.is_set("mesh.contact_size"))
+    return scaled(scene, "mesh.factor", factor);
   const double part = std::sqrt(factor);  // contact_size is multiplied by mesh.factor
   return scaled(scaled(scene, "mesh.factor", part), "mesh.contact_size", part);
 }

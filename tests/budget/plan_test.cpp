@@ -145,8 +145,22 @@ TEST(Plan, IsRefinedWhereItsRunShowsMore) {
   const auto finer = refined(made, asked, made.scene, shown(0.001, 0.03), 1);
   ASSERT_TRUE(finer);
   EXPECT_LT(finer->real("integrator.rtol"), asked.real("integrator.rtol") / 3);
+  const auto again = refined(made, asked, *finer, shown(0.001, 0.03), 2);
+  ASSERT_TRUE(again);
+  EXPECT_LT(again->real("integrator.rtol"), finer->real("integrator.rtol") / 3)
+      << "of the last run";
   // The mesh is given.
   EXPECT_EQ(finer->integers("mesh.elements"), asked.integers("mesh.elements"));
+}
+
+// What cells that are split show is no reason for the same run once more.
+TEST(Plan, IsNotRepeatedForAMeshThatStays) {
+  const Scene asked =
+      shipped("valve_seat.toml", {"accuracy.within=0.01", "accuracy.of=[\"depth\"]"});
+  const Plan made{.scene = asked, .lines = {}, .known = {}, .remarks = {}};
+  const Budget shown{.values = {{"wear_depth", "mm", 1}},
+                     .parts = {{ErrorSource::mesh, "mesh.split", "", {0.05}}}};
+  EXPECT_FALSE(refined(made, asked, made.scene, shown, 1));
 }
 
 TEST(Plan, IsRefinedInPhasesThatItChose) {

@@ -138,6 +138,22 @@ TEST_F(GradedMesh, MistakesAreRefused) {
 }
 
 // A plan for an accuracy begins with a twentieth of the contact.
+// Of a size that a plan has chosen: the contact is divided, and the rest by the square root.
+TEST_F(GradedMesh, IsScaledAwayFromTheContactByTheSquareRoot) {
+  folder_.write("block.geo", "");
+  folder_.write("roller.toml", roller_on_block);
+  const Scene given = load_scene(folder_.path() / "roller.toml", {}, key_table);
+  const Scene chosen = given.without("mesh.contact_size").with("mesh.contact_size", 0.1);
+  const auto quarter = [](const Scene& scene) {
+    const std::vector<Key> keys = scene.controlling_keys();
+    return *std::ranges::find(keys, "mesh.factor", &Key::name)->controls->scaled(scene, 0.25);
+  };
+  EXPECT_EQ(quarter(given).real("mesh.factor"), 0.25);
+  EXPECT_EQ(quarter(given).real("mesh.contact_size"), 0.1);
+  EXPECT_EQ(quarter(chosen).real("mesh.factor"), 0.5);
+  EXPECT_EQ(quarter(chosen).real("mesh.contact_size"), 0.05);
+}
+
 TEST_F(GradedMesh, IsChosenForAStepFile) {
   const Scene bushing = load_scene(shipped("bushing.toml"), {}, key_table);
   EXPECT_FALSE(

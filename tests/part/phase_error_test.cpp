@@ -260,7 +260,7 @@ TEST_F(PhaseErrors, AreReportedBesideTheRun) {
   ASSERT_FALSE(with.warnings.empty());
   EXPECT_THAT(with.warnings.front(),
               AllOf(HasSubstr("the mean over 6 phases has an error of about"),
-                    HasSubstr("more than 0.001")));
+                    HasSubstr("more than the tolerance of 0.001")));
   EXPECT_TRUE(without.warnings.empty());
 }
 

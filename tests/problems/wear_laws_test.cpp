@@ -403,6 +403,15 @@ TEST(WearLawOfAShortWindow, IsFound) {
               1e-4);
 }
 
+// Its mean over time is what wears, and no steps find it.
+TEST(WearLawOfAnOscillation, IsRefusedUnlessFixedStepsFollowIt) {
+  const std::string rate = "k * p * v * (1 + sin(2*pi*1000*t))";
+  EXPECT_THAT([&] { springs(rate); }, ::testing::ThrowsMessage<InputError>(::testing::HasSubstr(
+                                          "expected changes with time that steps can follow")));
+  EXPECT_THAT(springs(rate, {"integrator.step=1e-4"})->remarks,
+              ::testing::Not(::testing::Contains(::testing::HasSubstr("time"))));
+}
+
 // A smooth pulse after a long quiet time: no method steps over it at any tolerance.
 TEST(WearLawOfAPulse, IsSeenByEveryMethodThatFollowsTheError) {
   const double at = 100.0 / 3, lasts = 0.1, integral = 1000 * lasts * std::sqrt(M_PI);

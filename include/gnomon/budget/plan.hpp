@@ -45,9 +45,9 @@ Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, Bud
 /// which accuracy_text() says.
 double wanted_error(const Scene& scene, const Budget& budget);
 
-/// The scene of a planned run, which has been made `runs` times, with other settings, that bring
-/// the errors which the last one has shown within the asked one. Nothing where they are, after one
-/// run surely, after three runs, or where no free key would.
+/// Other settings for a planned run, of which `runs` have been made, the last one with `settings`:
+/// such that the errors which its budget shows come within the asked one. Nothing if they are
+/// (after the first run: within 0.85 of it), after three runs, or if no free key helps.
 std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Scene& settings,
                              const Budget& shown, int runs);
 

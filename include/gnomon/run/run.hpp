@@ -36,7 +36,8 @@ struct StorePolicy {
   std::optional<Until> until = {};
   /// Of a cycle: the error of the mean over its phases is estimated at the start and at the end.
   bool phase_errors = false;
-  /// The one above which the user is warned of it; nothing: the tolerance of the steps.
+  /// The one above which the user is warned of it; nothing: the tolerance of the steps, a fixed
+  /// figure where they have none.
   std::optional<double> phase_tolerance{};
   /// Whether the state at the end is examined, of which the user is warned.
   bool examine_end = true;
