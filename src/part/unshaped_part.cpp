@@ -69,7 +69,10 @@ Motion<dim> read_motion(const Scene& scene, Section section,
     motion.force = largest_force(cycle->cycle);
     other.guide(), motion.partner = other;
   }
-  if (motion.force) motion.history = read_load_history(scene, other.guides.front().key);
+  if (motion.force) {  // a guide of cycle.force alone has no key of its own
+    const std::string& key = other.guides.front().key;
+    motion.history = read_load_history(scene, key.empty() ? "counter_body.press" : key);
+  }
   if (patches.empty()) return motion;
   const Meeting<dim> meeting = find_meeting(scene, patches, other, cycle);
   motion.partner = meeting.partner;

@@ -196,6 +196,23 @@ TEST_F(Cycles, DifferFromAnOrdinaryHistoryInTheFirstOrder) {
   EXPECT_NEAR(std::log2(differences[0] / differences[2]) / 2, 1, 0.15);
 }
 
+// The history of the press multiplies a force of the cycle as one of the press.
+TEST_F(Cycles, TheForceOfACycleHasAHistory) {
+  const std::string history = "times = [0, 50, 50, 100], factors = [1, 1, 2, 3]";
+  const auto ended = [&](const std::string& cycle, const std::string& press) {
+    const auto flat = model(text(reciprocating + cycle, press));
+    const State last = run_model(*flat, "esdirk-3", 0, 1e-4, 100).last();
+    const Observation observed = flat->observe(last);
+    return std::pair(value_of(observed, "contact_force").value(),
+                     value_of(observed, "worn_volume").value());
+  };
+  const auto [force, worn] = ended("force = \"10.0\"\n", history);
+  const auto [of_press, worn_by_press] = ended("", "force = 10.0, " + history);
+  EXPECT_NEAR(force, 30, 0.05);  // the tolerance of the solves
+  EXPECT_NEAR(of_press, force, 1e-6);
+  EXPECT_NEAR(worn / worn_by_press, 1, 1e-9);
+}
+
 TEST_F(Cycles, RefuseWhatTheyCannotDo) {
   EXPECT_THAT(refusal(text(reciprocating + "force = \"10.0\"\n")),
               HasSubstr("cycle.force`: expected either cycle.force or counter_body.press.force"));
