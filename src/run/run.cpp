@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <gnomon/base/error.hpp>
 #include <gnomon/checks/checks.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/run/run.hpp>
+#include <limits>
 #include <set>
 
 #include "run/guards.hpp"
@@ -127,7 +129,8 @@ private:
       if (!stepper_) make_stepper();
       const State before = state();
       if (policy_.until || model().overdue) memory_.stepper = stepper_->memory();
-      StepReport report = stepper_->advance(state(), schedule_.stop());
+      if (state().t >= early_end_) early_end_ = never, early_step_ = 0;
+      StepReport report = stepper_->advance(state(), std::min(schedule_.stop(), early_end_));
       Observation observed = observe(report);
       if (model().overdue) come_near(before, report, observed);
       if (policy_.until) end_early(before, report, observed);
@@ -204,14 +207,18 @@ private:
       repeat(before, before.t + (state().t - before.t) / 2, report, observed);
   }
 
-  /// Repeats a step that goes beyond time.until, with an end there.
+  /// Repeats a step that goes beyond time.until, with an end there. A method of several steps
+  /// begins again with small ones, and goes on to that end.
   void end_early(const State& before, StepReport& report, Observation& observed) {
     constexpr int most = 10;  // where an observation jumps
     for (int i = 0; i < most; ++i) {
-      const double after = excess(*policy_.until, observed);
-      const double part = after >= 0 ? part_until(excess(*policy_.until, observed_), after) : 1;
+      const double after = excess(*policy_.until, observed), step = state().t - before.t;
+      early_step_ = std::max(early_step_, step);
+      const double part =
+          after >= 0 ? part_until(excess(*policy_.until, observed_), after, early_step_ / step) : 1;
       if (part >= 1) return;
-      repeat(before, before.t + part * (state().t - before.t), report, observed);
+      early_end_ = before.t + part * step;
+      repeat(before, early_end_, report, observed);
     }
   }
 
@@ -349,6 +356,9 @@ private:
 
   const Clock::time_point begin_ = Clock::now();
   double earlier_seconds_ = 0;
+  static constexpr double never = std::numeric_limits<double>::infinity();
+  double early_end_ = never;  ///< of steps that go to time.until
+  double early_step_ = 0;     ///< the largest of them
   Counters counters_;
   RunMemory memory_;
   std::optional<DampingWatch> damping_;

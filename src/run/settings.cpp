@@ -77,8 +77,8 @@ double excess(const Until& until, const Observation& observed) {
                                : fmt::format("did you mean {}?", near)));
 }
 
-double part_until(double before, double after) {
-  constexpr double shortly = 1e-3;
+double part_until(double before, double after, double steps) {
+  const double shortly = 1e-3 * steps;
   const double part = before / (before - after);
   return part > 1 - shortly ? 1 : part + shortly / 2;
 }

@@ -230,6 +230,18 @@ TEST(Settings, AbsentToleranceFollowsTheWearDepth) {
   EXPECT_EQ(integrator_settings(pin_scene({"integrator.atol=1e-9"}), model).atol, 1e-9);
 }
 
+// bdf begins again with small steps, and goes on to the end instead of beginning at each.
+TEST(RunToAnObservation, TakesFewStepsOfBdf) {
+  const gnomon::Setup setup = set_up(
+      pin_scene({"integrator.name=bdf", "mesh.elements=[8, 4]", "time.until=worn_volume > 1"}));
+  const RunOutcome outcome =
+      run(*setup.model, chosen_integrator(setup.scene),
+          integrator_settings(setup.scene, *setup.model), store_policy(setup.scene), nullptr, {});
+  EXPECT_EQ(outcome.ended_by, "time.until: worn_volume > 1");
+  EXPECT_NEAR(value_of(outcome.last->scalars, "worn_volume").value(), 1, 1e-3);
+  EXPECT_LT(outcome.counters.steps, 300);
+}
+
 TEST(Settings, StoreTimesAreSortedAndChecked) {
   const StorePolicy policy = store_policy(pin_scene({"output.times=[30,0,10,30,1000]"}));
   EXPECT_THAT(policy.times, ElementsAre(10, 30, 1000));
