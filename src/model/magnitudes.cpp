@@ -190,6 +190,16 @@ double size_of_wearing(const AssemblyParts<dim>& parts) {
   return least;
 }
 
+/// The initial position of a node of a surface, for a law that is not defined everywhere.
+template <int dim>
+std::array<double, 3> node_of(const Surface<dim>& surface, const AssemblyParts<dim>& parts) {
+  std::array<double, 3> place{};
+  if (surface.facets.empty()) return place;
+  const int node = surface.facets[surface.facets.size() / 2].front();
+  std::ranges::copy(parts.mesh.nodes[static_cast<std::size_t>(node)], place.begin());
+  return place;
+}
+
 }  // namespace
 
 template <int dim>
@@ -214,7 +224,8 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
     const double own = wear_by_pressure(surface.wear, {.pressure = start.force / start.area,
                                                        .friction = parts.interface.friction,
                                                        .speed = parts.nominal_speed(),
-                                                       .duration = duration});
+                                                       .duration = duration,
+                                                       .initial = {node_of(surface, parts)}});
     if (surface.track) {
       by_track += own / surface.track->path;
       continue;

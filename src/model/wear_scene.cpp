@@ -62,6 +62,11 @@ std::string where_law(const Scene& scene, const std::string& rate_key = "wear.ra
   return scene.where(scene.text("wear.law") == "expression" ? rate_key : "wear.law");
 }
 
+/// One of the positions, for a law that is not defined everywhere.
+std::array<double, 3> middle_of(const std::vector<std::array<double, 3>>& positions) {
+  return positions.empty() ? std::array<double, 3>{} : positions[positions.size() / 2];
+}
+
 /// Wdot / p at a pressure; of a rate that is proportional to it, whatever the pressure, to the last
 /// digit.
 double secant(const WearLaw& law, const WearCircumstances& at, double pressure, double speed,
@@ -70,7 +75,8 @@ double secant(const WearLaw& law, const WearCircumstances& at, double pressure, 
   const WearRate rate = law.rate({.pressure = pressure,
                                   .speed = speed,
                                   .friction_power = at.friction * pressure * speed,
-                                  .moment = {.time = t, .slid = speed * t, .within = t}});
+                                  .moment = {.time = t, .slid = speed * t, .within = t},
+                                  .initial = middle_of(at.initial)});
   const double secant = rate.value / pressure;
   const double slope = rate.by_pressure + rate.by_friction_power * at.friction * speed;
   return std::abs(slope - secant) <= rounding * secant ? slope : secant;
