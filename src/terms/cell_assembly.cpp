@@ -172,7 +172,8 @@ struct RowRange {
 /// otherwise the number of cells.
 template <class Work>
 int for_cells(int cells, int entries, std::size_t size, const Work& work) {
-  const int most = long(cells) * entries < worth_threads ? 1 : omp_get_max_threads();
+  [[maybe_unused]] const int most =  // not read without OpenMP
+      long(cells) * entries < worth_threads ? 1 : omp_get_max_threads();
   int failed = cells;
 #pragma omp parallel num_threads(most) reduction(min : failed)
   {
