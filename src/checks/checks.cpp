@@ -37,8 +37,8 @@ std::string point_text(const std::array<double, 3>& x) {
 
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
-                   wedged = 50, lost = 0.02, inside = 1e-3, renewed = 0.02, blind = 1e-3,
-                   turned = 0.02, displaced = 0.02, small = 0.01;
+                   wedged = 50, lost = 0.02, stale = 0.01, inside = 1e-3, renewed = 0.02,
+                   blind = 1e-3, turned = 0.02, displaced = 0.02, small = 0.01;
   std::vector<std::string> found;
   // Over a cycle all of them may cancel out.
   const double largest = std::max(largest_force(facts), small * facts.force);
@@ -71,6 +71,11 @@ std::vector<std::string> doubts(const Examination& facts) {
         "do not turn with it: material = \"neo-hookean\" has finite rotations",
         facts.body_turn->body.empty() ? "the body" : '"' + facts.body_turn->body + '"',
         facts.body_turn->angle, facts.body_turn->angle * facts.body_turn->angle / 2));
+  if (facts.stale_weight > stale)
+    found.push_back(
+        fmt::format("the weight of what has worn off is {:.2g} of the contact force, and still "
+                    "acts: an acceleration has the mass of the unworn bodies",
+                    facts.stale_weight));
   if (facts.lost_wear > lost)
     found.push_back(
         fmt::format("{:.2g} of the wear of a body is at contact nodes whose shape is held, and is "

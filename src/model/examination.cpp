@@ -189,6 +189,16 @@ double find_lost_wear(const Assembly<dim>& assembly,
   return most;
 }
 
+template <int dim>
+double find_stale_weight(const std::vector<Load<dim>>& loads, double t,
+                         const Observation& observed) {
+  double weight = 0;
+  for (const Load<dim>& load : loads) weight += std::abs(load.weight * load.history.factor(t));
+  const double volume = value_of(observed, "worn_volume").value_or(0),
+               force = value_of(observed, "contact_force").value_or(0);
+  return force > 0 ? weight * volume / force : 0;
+}
+
 }  // namespace
 
 template <int dim>
@@ -210,6 +220,8 @@ Examination WearModel<dim>::examine(const State& state) const {
   facts.body_turn = find_body_turn(equations_, values);
   facts.moved_axis = find_moved_axis(equations_, values, contacts);
   facts.lost_wear = find_lost_wear(assembly(), contacts);
+  if (std::ranges::any_of(assembly().loads, [](const Load<dim>& load) { return load.weight > 0; }))
+    facts.stale_weight = find_stale_weight(assembly().loads, state.t, observe(state));
   if (assembly().interface.sticks) {
     facts.stick_area = cycle_of_slip(assembly(), contacts).stick_area;
     if (!assembly().cycle->motion.cycle.rotation)

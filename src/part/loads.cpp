@@ -143,9 +143,11 @@ Load<dim> read_load(const Scene& scene, const std::string& load, const ImportedB
       if (body.density == 0)
         refuse(scene, key,
                "also body.density" + (body.name.empty() ? "" : " of \"" + body.name + "\""));
-  if (kind == "acceleration")
+  if (kind == "acceleration") {
     result.forces = weight<dim>(part.mesh, bodies, vector, section);
-  else
+    for (const Body& body : bodies)
+      result.weight = std::max(result.weight, body.density * vector.norm());
+  } else
     result.forces = surface_load<dim>(part.mesh, result.facets, vector, kind == "force", section);
   return result;
 }

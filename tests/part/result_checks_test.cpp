@@ -79,6 +79,33 @@ time.end = 1.0
   EXPECT_THAT(doubts(examined("10.0")), ElementsAre(HasSubstr("the body turns by 0.02")));
 }
 
+// An acceleration presses with the mass of the unworn block: of what is worn, h of a height of 4,
+// the weight still acts.
+TEST_F(BodyTurns, TheWeightOfWhatHasWornOffIsToldOf) {
+  folder_.write("block.geo", R"(SetFactory("OpenCASCADE");
+Rectangle(1) = {-5, 0, 0, 10, 4}; Mesh.MeshSizeMax = 1;
+Physical Surface("block") = {1}; b() = Boundary { Surface{1}; };
+Physical Curve("face") = {b(0)}; Physical Curve("left") = {b(3)}; Physical Curve("right") = {b(1)};
+)");
+  const auto block = model(R"(
+problem = "worn_body"
+mesh.file = "block.geo"
+model.plane = "strain"
+body = { young_modulus = 1e6, poisson_ratio = 0.0, density = 1e-3 }
+support = [ { on = "left", directions = ["x"] }, { on = "right", directions = ["x"] } ]
+load = [ { acceleration = [0.0, -1e4] } ]
+counter_body = { shape = "plane", normal = [0.0, 1.0], motion.velocity = [0.0, 0.0, 100.0] }
+wear = { on = ["face"], coefficient = 1e-7 }
+time.end = 1000.0
+)");
+  Counters counters;
+  EXPECT_EQ(block->examine(block->start(counters)).stale_weight, 0);
+  const Examination facts = block->examine(run_model(*block, "esdirk-3", 0, 1e-4, 1000).last());
+  const double h = 1e-7 * 40 * 100 * 1000;  // k p v t
+  EXPECT_NEAR(facts.stale_weight, h / 4, 1e-3 * h / 4);
+  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("what has worn off is 0.1 of the contact")));
+}
+
 TEST(Doubts, BodiesThatWouldStickAreRefused) {
   Examination facts = balanced();
   facts.drag = ElasticDrag{.stroke = 2, .drag = 1.9};

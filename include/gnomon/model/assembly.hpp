@@ -78,6 +78,9 @@ struct Load {
   NodalField<dim> forces{};  ///< at factor one, nodes x dim [force]; empty: a pressure
   std::vector<typename Mesh<dim>::Facet> facets{};
   double pressure = 0;  ///< on these, at factor one; positive pushes on the body [stress]
+  /// Of an acceleration: of the material that weighs most, at factor one [force / volume]. The
+  /// forces are those of the unworn bodies.
+  double weight = 0;
   LoadHistory history{};
   bool presses = false;  ///< it alone keeps the bodies together, so that it may not vanish
   /// Its own factor over the cycle; only where friction may stick.

@@ -87,6 +87,9 @@ struct Examination {
   /// The part of the wear at nodes whose shape is held, so that it is lost; of the body that loses
   /// most.
   double lost_wear = 0;
+  /// Weight of what has worn off, which an acceleration still moves, as a part of the contact
+  /// force.
+  double stale_weight = 0;
   std::optional<BodyTurn> body_turn{};    ///< the largest one
   std::optional<MovedAxis> moved_axis{};  ///< of pairs, the one with the largest part
   std::optional<GapError> gap_error{};    ///< where wear is a gap
