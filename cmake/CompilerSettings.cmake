@@ -9,7 +9,8 @@ endif()
 target_compile_options(gnomon_settings INTERFACE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 if(GNOMON_SANITIZE)
   target_compile_options(gnomon_settings INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
+    $<$<CXX_COMPILER_ID:Clang>:-D__SANITIZE_ADDRESS__>)  # as GCC
   target_link_options(gnomon_settings INTERFACE -fsanitize=address,undefined)
 endif()
 if(GNOMON_COVERAGE)
