@@ -34,7 +34,9 @@ void check_force(const Scene& scene, const Cycle& cycle, const CounterBody<dim>&
   if (!other.guides.empty() && other.guides.front().force)
     refuse(scene, "cycle.force", "either cycle.force or counter_body.press.force, got both");
   if (!scene.given("counter_body.press.direction"))
-    refuse(scene, "cycle.force", "also counter_body.press.direction");
+    refuse(scene, "cycle.force",
+           other.guides.empty() ? "also counter_body.press.direction"
+                                : "one [counter_body.press] beside it, not an array of them");
   if (scene.given("counter_body.press.approach"))
     refuse(scene, "cycle.force", "no counter_body.press.approach beside a force");
 }
