@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/same_time.hpp>
 #include <gnomon/model/controlled_settings.hpp>
 #include <gnomon/run/run.hpp>
+#include <limits>
 #include <sstream>
 
 #include "run/store_schedule.hpp"
@@ -63,11 +65,21 @@ std::optional<Until> read_until(const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+/// A force that is the value but for rounding is not beyond it.
+double beyond(const Until& until, double value) {
+  constexpr double rounding = 1e-12, least = std::numeric_limits<double>::min();
+  const double over = until.above ? value - until.value : until.value - value;
+  return over > rounding * std::abs(until.value) ? over : std::min(over, -least);
+}
+
+}  // namespace
+
 double excess(const Until& until, const Observation& observed) {
   std::vector<std::string> names;
   for (const Scalar& scalar : observed) {
-    if (scalar.name == until.observation)
-      return until.above ? scalar.value - until.value : until.value - scalar.value;
+    if (scalar.name == until.observation) return beyond(until, scalar.value);
     names.push_back(scalar.name);
   }
   const std::string near = nearest_name(until.observation, names);

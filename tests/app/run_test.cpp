@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/decay.hpp"
+#include "run/store_schedule.hpp"
 
 namespace gnomon::run_test {
 namespace {
@@ -231,6 +232,16 @@ TEST(Settings, AbsentToleranceFollowsTheWearDepth) {
 }
 
 // bdf begins again with small steps, and goes on to the end instead of beginning at each.
+TEST(RunToAnObservation, DoesNotEndAtItsValueButForRounding) {
+  const Until until{"contact_force < 100", "scene", "contact_force", false, 100};
+  const auto excess_of = [&](double force) {
+    return excess(until, {Scalar{"contact_force", "N", force}});
+  };
+  EXPECT_LT(excess_of(100 - 6e-14), 0);
+  EXPECT_LT(excess_of(100), 0);
+  EXPECT_GT(excess_of(100 - 1e-6), 0);
+}
+
 TEST(RunToAnObservation, TakesFewStepsOfBdf) {
   const gnomon::Setup setup = set_up(
       pin_scene({"integrator.name=bdf", "mesh.elements=[8, 4]", "time.until=worn_volume > 1"}));
