@@ -147,7 +147,7 @@ template <int dim>
 NodalField<dim> Resultants<dim>::of(const FieldValues<dim>& values, double t,
                                     KindOfTerm wanted) const {
   const Numbering& numbering = of_kind(wanted.kind);
-  std::vector<double> F(static_cast<std::size_t>(numbering.size()));
+  std::vector<double> F(static_cast<std::size_t>(numbering.all_numbers()));
   const std::vector<double> ydot(F.size());
   const Evaluation<dim> at{.values = values, .ydot = ydot, .t = t, .within = t};
   for (std::size_t k = 0; k < terms_.size(); ++k)

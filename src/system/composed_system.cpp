@@ -23,7 +23,7 @@ ComposedSystem<dim>::ComposedSystem(std::shared_ptr<const Composition<dim>> comp
 
 template <int dim>
 void ComposedSystem<dim>::build_structure() {
-  PatternBuilder builder(numbering_.size());
+  PatternBuilder builder(numbering_.all_numbers());
   const auto add = [](auto& list, const auto& more) {
     list.insert(list.end(), more.begin(), more.end());
   };
@@ -50,8 +50,9 @@ void ComposedSystem<dim>::build_structure() {
   }
   structure_.size = numbering_.size();
   structure_.pattern = builder.build();
-  for (const auto& term : terms_) term->map_to(structure_.pattern);
-  find_shared_entries();
+  if (!numbering_.multiples().empty()) reduce_entries();
+  for (const auto& term : terms_) term->map_to(reduced_ ? reduced_->all() : structure_.pattern);
+  if (!reduced_) find_shared_entries();
   structure_.solver = composition_->solver;
   const std::vector<Block>& blocks = composition_->fields->blocks;
   structure_.blocks = {composition_->fields, &blocks};
@@ -72,7 +73,16 @@ void ComposedSystem<dim>::build_structure() {
   }
 }
 
-/// The entries to which terms add that are not slow.
+template <int dim>
+void ComposedSystem<dim>::reduce_entries() {
+  reduced_.emplace(numbering_, std::move(structure_.pattern));
+  structure_.pattern = reduced_->pattern();
+  all_rows_.resize(static_cast<std::size_t>(reduced_->all().size()));
+  all_entries_.resize(static_cast<std::size_t>(reduced_->all().nonzeros()));
+}
+
+/// The entries to which terms add that are not slow. Where entries are reduced they are not in the
+/// array that keeps the slow part, and all are computed anew.
 template <int dim>
 void ComposedSystem<dim>::find_shared_entries() {
   if (std::ranges::count(slow_, 1) == 0) return;
@@ -117,6 +127,12 @@ void ComposedSystem<dim>::fill(std::span<const double> y, double t, double withi
 template <int dim>
 void ComposedSystem<dim>::residual(const Point& at, std::span<double> F) const {
   fill(at.y, time(at), within(at), values_);
+  add_residuals(at, reduced_ ? std::span<double>(all_rows_) : F);
+  if (reduced_) reduced_->add_rows(all_rows_, F);
+}
+
+template <int dim>
+void ComposedSystem<dim>::add_residuals(const Point& at, std::span<double> F) const {
   std::fill(F.begin(), F.end(), 0.0);
   for_terms(std::nullopt, [&](std::size_t k) {
     if (!at.rates_only || !sweeps_[k]) terms_[k]->add_residual(evaluation(at, values_, k), F);
@@ -184,6 +200,13 @@ bool ComposedSystem<dim>::serves(const SlowPart& slow, std::span<const double> y
 template <int dim>
 void ComposedSystem<dim>::jacobian(const Point& at, double alpha, std::span<double> values) const {
   fill(at.y, time(at), within(at), values_);
+  add_jacobians(at, alpha, reduced_ ? std::span<double>(all_entries_) : values);
+  if (reduced_) reduced_->add_entries(all_entries_, values);
+}
+
+template <int dim>
+void ComposedSystem<dim>::add_jacobians(const Point& at, double alpha,
+                                        std::span<double> values) const {
   const auto add = [&](bool slow) {
     for_terms(slow, [&](std::size_t k) {
       terms_[k]->add_jacobian(evaluation(at, values_, k), alpha, values);
@@ -250,7 +273,9 @@ std::vector<AlgebraicStage> ComposedSystem<dim>::algebraic_stages() const {
       const auto id = static_cast<FieldId>(f);
       const Field::Indices &mine = part->numbering_.numbers(id), &whole = numbering_.numbers(id);
       for (Eigen::Index k = 0; k < mine.size(); ++k)
-        if (mine.data()[k] >= 0) stage.unknowns[mine.data()[k]] = whole.data()[k];
+        if (mine.data()[k] >= 0)
+          stage.unknowns[part->numbering_.meaning(mine.data()[k]).unknown] =
+              numbering_.meaning(whole.data()[k]).unknown;
     }
     stage.freeze = [this, part = part.get()](double t, std::span<const double> y) {
       FieldValues<dim> now = values(t, y);

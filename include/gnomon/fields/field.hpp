@@ -21,6 +21,10 @@ struct Field {
   /// The entity whose unknowns each entity shares (the shape of a groove is that of one section);
   /// empty: each entity has its own.
   std::vector<int> carrier;
+  /// Entities x components, empty: of none. Where it is not zero, the entity has one unknown, that
+  /// of its carrier, and its values are this unit vector times it: on a ring that recedes as a
+  /// whole, every node moves along its own radius.
+  Values direction;
 
   Field(std::string field_name, std::vector<int> nodes, int components)
       : name(std::move(field_name)),
@@ -32,6 +36,9 @@ struct Field {
   Eigen::Index entities() const { return static_cast<Eigen::Index>(node.size()); }
   int components() const { return static_cast<int>(block.cols()); }
   int carrier_of(int entity) const { return carrier.empty() ? entity : carrier[entity]; }
+  bool has_direction(int entity) const {
+    return direction.size() > 0 && !direction.row(entity).isZero(0);
+  }
 };
 
 /// All fields of a problem. Unknowns are numbered node by node, the fields of a node in this order,

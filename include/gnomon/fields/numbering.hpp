@@ -13,13 +13,28 @@ using BlockSelection = std::vector<char>;
 
 /// Numbers are -1 where a value is held, frozen or absent. Node by node, the fields of a node in
 /// the order of the set, components ascending; then the values at no node. Entities that share the
-/// unknowns of a carrier share its numbers.
+/// unknowns of a carrier share its numbers. Values along a Field::direction have numbers of their
+/// own behind those of the unknowns, so that terms need not know of it: the system adds their rows
+/// and columns to those of the unknown (ComposedSystem).
 class Numbering {
 public:
   Numbering(std::shared_ptr<const FieldSet> set, const BlockSelection& selected);
 
   const FieldSet& set() const { return *set_; }
   int size() const { return static_cast<int>(unknowns_.size()); }
+  /// A number behind those of the unknowns stands for `factor` times an unknown.
+  struct Multiple {
+    int unknown;
+    double factor;
+  };
+  /// Those from size() on.
+  const std::vector<Multiple>& multiples() const { return multiples_; }
+  /// Of unknowns and multiples: the rows and columns that terms see.
+  int all_numbers() const { return size() + static_cast<int>(multiples_.size()); }
+  /// What a number that is not negative stands for.
+  Multiple meaning(int number) const {
+    return number < size() ? Multiple{number, 1} : multiples_[number - size()];
+  }
   /// By number: the value that it stands for. Of entities that share it, that of the carrier.
   struct Unknown {
     const Field& field;
@@ -48,10 +63,16 @@ public:
   void gather(const FieldValues<dim>& values, std::span<double> y) const;
 
 private:
+  bool is_unknown(const Field& field, int entity, int component,
+                  const BlockSelection& selected) const;
+  /// Of the entities of a field with directions; their carriers have the numbers of unknowns.
+  void number_multiples(std::size_t field, const BlockSelection& selected);
+
   std::shared_ptr<const FieldSet> set_;
   std::vector<Field::Indices> numbers_;
   Field::Indices absent_;
   std::vector<Unknown> unknowns_;
+  std::vector<Multiple> multiples_;
 };
 
 }  // namespace gnomon

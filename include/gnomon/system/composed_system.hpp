@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <gnomon/fields/reduced_entries.hpp>
 #include <gnomon/system/system.hpp>
 #include <gnomon/terms/term.hpp>
 #include <memory>
@@ -60,7 +61,10 @@ public:
 
 private:
   void build_structure();
+  void reduce_entries();
   void find_shared_entries();
+  void add_residuals(const Point& at, std::span<double> F) const;
+  void add_jacobians(const Point& at, double alpha, std::span<double> values) const;
   double change_of_strain(std::span<const double> y0, std::span<const double> y) const;
   bool serves(const SlowPart& slow, std::span<const double> y) const;
   void keep(SlowPart& slow, std::span<const double> y, std::span<const double> values) const;
@@ -79,6 +83,10 @@ private:
   std::vector<char> slow_;                 // 1 for each term whose derivatives are slow
   std::vector<char> sweeps_;               // 1 for each term that sweeps over cells
   std::vector<int> shared_;                // entries of J to which terms add that are not slow
+  // Where numbers are multiples of unknowns, and what terms have added to the rows and entries of
+  // all numbers.
+  std::optional<ReducedEntries> reduced_;
+  mutable std::vector<double> all_rows_, all_entries_;
   Structure structure_;
   std::optional<double> frozen_time_;
   double load_fraction_ = 1;

@@ -17,10 +17,12 @@ public:
     const Field& shape = set[d];
     for (const ContactPatch<dim>& patch : nodes)
       for (int i = 0; i < dim; ++i) {
-        const int row = numbering.number(d, patch.node, i), block = shape.block(patch.node, i);
-        if (row >= 0 && set.blocks[block].differential &&
-            shape.carrier_of(patch.node) == patch.node)
-          rows_.push_back(row);
+        const int number = numbering.number(d, patch.node, i), block = shape.block(patch.node, i);
+        if (number < 0 || !set.blocks[block].differential ||
+            shape.carrier_of(patch.node) != patch.node)
+          continue;
+        const int row = numbering.meaning(number).unknown;
+        if (rows_.empty() || rows_.back() != row) rows_.push_back(row);
       }
   }
 
