@@ -28,6 +28,6 @@ Curve Loop(2) = {6, 7, 8, 9};
 Plane Surface(1) = {1, 2};
 Recombine Surface {1};
 
-Physical Curve("track") = {1};
+Physical Curve("track") = {1, 2, 3, 4, 5};
 Physical Curve("bore") = {6, 7, 8, 9};
 Physical Surface("ring") = {1};

@@ -21,10 +21,10 @@ public:
   LineCoordinates(const Streamlines<dim>& lines, const std::vector<Vector<dim>>& points)
       : lines_(lines), first_(points.front()) {
     if (!lines.centre) return;
-    double least = radial(first_).norm(), most = least;
+    double least = lines_.radial(first_).norm(), most = least;
     for (const Vector<dim>& x : points) {
-      least = std::min(least, radial(x).norm());
-      most = std::max(most, radial(x).norm());
+      least = std::min(least, lines_.radial(x).norm());
+      most = std::max(most, lines_.radial(x).norm());
     }
     radius_ = (least + most) / 2;
   }
@@ -33,27 +33,36 @@ public:
 
   /// On circles the angle times their mean radius.
   double place(const Vector<dim>& x) const {
-    if constexpr (dim == 3)
-      if (lines_.centre) {
-        constexpr double rounding = 1e-3;  // what is this little before the beginning is there
-        const Vector<3> from = radial(first_), to = radial(x);
-        const double angle = std::atan2(lines_.along.dot(from.cross(to)), from.dot(to));
-        return radius_ * (angle < -rounding ? angle + 2 * M_PI : angle);
-      }
-    return x.dot(lines_.along);
+    if (!lines_.centre) return x.dot(lines_.along);
+    constexpr double rounding = 1e-3;  // what is this little before the beginning is there
+    const Vector<dim> from = lines_.radial(first_), to = lines_.radial(x);
+    const double angle = std::atan2(turned(from, to), from.dot(to));
+    return radius_ * (angle < -rounding ? angle + 2 * M_PI : angle);
   }
   /// The same for all points of a line.
   Vector<dim> across(const Vector<dim>& x) const {
     if (!lines_.centre) return x - x.dot(lines_.along) * lines_.along;
-    return radial(x).norm() * Vector<dim>::Unit(0) +
+    return lines_.radial(x).norm() * Vector<dim>::Unit(0) +
            (x - *lines_.centre).dot(lines_.along) * Vector<dim>::Unit(1);
   }
-  double whole_circle() const { return 2 * M_PI * radius_; }
+  /// SurfaceLines::length of a circle.
+  double length_of(const std::vector<Vector<dim>>& circle, bool closed) const {
+    double length = 0;
+    for (std::size_t k = closed ? 0 : 1; k < circle.size(); ++k) {
+      const Vector<dim> from = lines_.radial(circle[(k + circle.size() - 1) % circle.size()]),
+                        to = lines_.radial(circle[k]);
+      length += radius_ * std::abs(turned(from, to)) / (from.norm() * to.norm());
+    }
+    return length;
+  }
 
 private:
-  Vector<dim> radial(const Vector<dim>& x) const {
-    const Vector<dim> r = x - *lines_.centre;
-    return r - r.dot(lines_.along) * lines_.along;
+  /// The sine of the angle between two radii, times their lengths.
+  double turned(const Vector<dim>& from, const Vector<dim>& to) const {
+    if constexpr (dim == 2)
+      return from[0] * to[1] - from[1] * to[0];
+    else
+      return lines_.along.dot(from.cross(to));
   }
   const Streamlines<dim>& lines_;
   Vector<dim> first_;
@@ -156,8 +165,17 @@ InputError broken_line(const Streamlines<dim>& along, double whole, const Vector
   return InputError(fmt::format(
       "expected a surface whose nodes lie on {} {}, each {:.6g} mm long from one end of the "
       "surface to the other, but that through {} goes on for {:.6g} mm",
-      along.centre ? "circles about" : "lines along", point_text<dim>(along.along), whole,
+      along.centre ? "circles about" : "lines along",
+      point_text<dim>(dim == 2 && along.centre ? *along.centre : along.along), whole,
       point_text<dim>(start), length));
+}
+
+template <int dim>
+InputError no_circle(const Vector<dim>& centre, const Vector<dim>& near, const Vector<dim>& far) {
+  return InputError(
+      fmt::format("expected a surface whose nodes lie on a circle about {}, but their distances "
+                  "from there are {:.6g} to {:.6g} mm",
+                  point_text<dim>(centre), (near - centre).norm(), (far - centre).norm()));
 }
 
 }  // namespace
@@ -167,6 +185,8 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
                               const std::vector<typename Mesh<dim>::Facet>& facets,
                               const Streamlines<dim>& along) {
   constexpr double rounding = 1e-6;  // of the size of the surface: files have so many digits
+  // A surface in the plane is a single circle, however mesh.split has put its nodes.
+  const double apart = dim == 2 && along.centre ? 1e-3 : rounding;
   const auto at = [&](int node) { return mesh.nodes[static_cast<std::size_t>(node)]; };
   const std::set<int> nodes = nodes_of_facets(facets);
   std::vector<Vector<dim>> points;
@@ -176,8 +196,11 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   LineCoordinates<dim> coordinates(along, points);
   SurfaceLines lines{.nodes = {{nodes.begin(), nodes.end()}}};
   for (int i = 0; i < dim; ++i)
-    lines.nodes = divided(lines.nodes, rounding * size,
+    lines.nodes = divided(lines.nodes, apart * size,
                           [&](int node) { return coordinates.across(at(node))[i]; });
+  if (dim == 2 && along.centre && lines.nodes.size() > 1)
+    throw no_circle<dim>(*along.centre, at(lines.nodes.front().front()),
+                         at(lines.nodes.back().front()));
   const auto place = [&](int node) { return coordinates.place(at(node)); };
   const auto sort = [&](std::vector<int>& line) { std::ranges::sort(line, {}, place); };
   const Neighbours<dim> neighbours(facets);
@@ -191,13 +214,19 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   std::ranges::for_each(lines.nodes, sort);
   const auto [first, last] = std::ranges::minmax_element(nodes, {}, place);
   const double low = place(*first), high = place(*last);
-  lines.length = closed ? coordinates.whole_circle() : high - low;
+  lines.length = high - low;
   const auto is_broken = [&](const std::vector<int>& line) {
     if (closed) return neighbours.beginning(line) >= 0;
     return std::max(place(line.front()) - low, high - place(line.back())) > rounding * size;
   };
   auto broken = std::ranges::find_if(lines.nodes, is_broken);
-  if (broken == lines.nodes.end()) return lines;
+  if (broken == lines.nodes.end()) {
+    if (!along.centre) return lines;
+    points.clear();
+    for (const int node : lines.nodes.front()) points.push_back(at(node));
+    lines.length = coordinates.length_of(points, closed);
+    return lines;
+  }
   if (Groups curved = along.centre ? Groups{} : followed_lines<dim>(mesh, facets, along.along);
       !curved.empty() && std::ranges::none_of(curved, [&](const std::vector<int>& line) {
         return is_broken(line) || is_straight<dim>(mesh, line);

@@ -141,8 +141,9 @@ Assembly<dim>::Assembly(AssemblyParts<dim> parts) : AssemblyParts<dim>(std::move
     if (!this->condensation || !this->condensation->keeps(nodes))
       this->condensation = std::make_shared<const Condensation<dim>>(*this, nodes);
   }
-  SharedShape shared = shared_shape(*this, contact_nodes);
+  SharedShape<dim> shared = shared_shape(*this, contact_nodes);
   carrier = std::move(shared.carrier);
+  shape_direction = std::move(shared.direction);
   wear_weight = std::move(shared.weight);
   track_length = std::move(shared.length);
 }

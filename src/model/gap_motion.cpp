@@ -3,6 +3,8 @@
 #include <optional>
 #include <set>
 
+#include "model/initial_gradient.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -53,24 +55,15 @@ bool faces_partner(const std::vector<ContactPatch<dim>>& nodes,
          });
 }
 
-/// The derivative of the volume by the position of a node, at the initial shape.
-template <int dim>
-Vector<dim> volume_gradient(const Mesh<dim>& mesh, ContactPatch<dim> patch,
-                            const Tensor<dim>& free) {
-  patch.shape_free = free;
-  PatchNodal<dim> X(static_cast<Eigen::Index>(patch.nodes.size()), dim);
-  for (Eigen::Index p = 0; p < X.rows(); ++p) X.row(p) = mesh.nodes[patch.nodes[p]].transpose();
-  return free_volume_gradient<dim, double>(patch, X);
-}
-
 /// m: the wanted direction within the motion that is free; where that is across, the direction that
 /// changes the volume. Zero where no motion does.
 template <int dim>
-Vector<dim> direction_of(const Mesh<dim>& mesh, const ContactPatch<dim>& patch,
-                         const Tensor<dim>& free, const Vector<dim>& wanted) {
+Vector<dim> direction_of(const Mesh<dim>& mesh, ContactPatch<dim> patch, const Tensor<dim>& free,
+                         const Vector<dim>& wanted) {
   constexpr double across = 0.1, none = 1e-4;
   if (const Vector<dim> m = free * wanted; m.norm() > across) return m.normalized();
-  const Vector<dim> a = volume_gradient<dim>(mesh, patch, free);
+  patch.shape_free = free;
+  const Vector<dim> a = initial_volume_gradient(mesh, patch);
   return a.norm() > none * patch.initial_area ? Vector<dim>(a.normalized()) : Vector<dim>::Zero();
 }
 

@@ -2,54 +2,84 @@
 
 #include <gnomon/base/error.hpp>
 #include <numeric>
+#include <optional>
+#include <string>
 
 #include "model/connected_parts.hpp"
+#include "model/initial_gradient.hpp"
 
 namespace gnomon {
 
 namespace {
 
 /// Nodes with one shape, which is carried by the first.
+template <int dim>
 struct UniformLine {
   std::vector<int> nodes;
   double part;  ///< their length by that of the path
+  std::optional<Streamlines<dim>> circle{};
 };
 
-std::vector<UniformLine> lines_of(const CrossSection& section) {
-  std::vector<UniformLine> lines;
+template <int dim>
+std::vector<UniformLine<dim>> lines_of(const CrossSection& section) {
+  std::vector<UniformLine<dim>> lines;
   for (const int carrier : section.node)
     lines.push_back({{carrier}, section.length / section.path});
   for (std::size_t node = 0; node < section.of.size(); ++node)
-    if (UniformLine& line = lines[section.of[node]]; line.nodes.front() != static_cast<int>(node))
+    if (auto& line = lines[section.of[node]]; line.nodes.front() != static_cast<int>(node))
       line.nodes.push_back(static_cast<int>(node));
   return lines;
 }
 
+InputError held_otherwise(const std::string& where) {
+  return InputError("an assembly: expected nodes of a " + where + " whose shape is held alike");
+}
+
 /// What one node of a line may do, all may.
 template <int dim>
-void require_alike(const UniformLine& line, const ShapeMotion<dim>& shape) {
+void require_alike(const std::vector<int>& nodes, const ShapeMotion<dim>& shape) {
   constexpr double rounding = 1e-12;
-  const Tensor<dim> first = shape.free(line.nodes.front());
-  for (const int node : line.nodes)
-    if (!(shape.free(node) - first).isZero(rounding))
-      throw InputError(
-          "an assembly: expected nodes of a line of a track whose shape is held alike");
+  const Tensor<dim> first = shape.free(nodes.front());
+  for (const int node : nodes)
+    if (!(shape.free(node) - first).isZero(rounding)) throw held_otherwise("line of a track");
+}
+
+/// Each node of a circle moves along one direction, that of its area, which is the same for all by
+/// radius and axis.
+template <int dim>
+void require_one_direction(const std::vector<int>& nodes, const Streamlines<dim>& circle,
+                           const AssemblyParts<dim>& parts, const NodalField<dim>& direction) {
+  constexpr double rounding = 1e-9;
+  const auto across = [&](int node) {
+    const Vector<dim>& X = parts.mesh.nodes[static_cast<std::size_t>(node)];
+    return Vector<dim - 1>(circle.across(X).transpose() * direction.row(node).transpose());
+  };
+  for (const int node : nodes) {
+    const Vector<dim> along = direction.row(node).transpose();
+    if (!(parts.shape.free(node) - along * along.transpose()).isZero(rounding) ||
+        !(across(node) - across(nodes.front())).isZero(rounding))
+      throw held_otherwise("circle of a track");
+  }
 }
 
 /// `length`: of each surface's; 0: it has no track.
 template <int dim>
-std::vector<UniformLine> uniform_lines(const AssemblyParts<dim>& parts,
-                                       std::vector<double>& length) {
-  if (parts.cross_section) return lines_of(*parts.cross_section);
-  std::vector<UniformLine> result;
+std::vector<UniformLine<dim>> uniform_lines(const AssemblyParts<dim>& parts,
+                                            std::vector<double>& length) {
+  if (parts.cross_section) return lines_of<dim>(*parts.cross_section);
+  std::vector<UniformLine<dim>> result;
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     length.push_back(0);
     if (!surface.track) continue;
-    SurfaceLines lines = lines_of_surface(parts.mesh, surface.facets, surface.track->along);
+    const auto& [along, path] = *surface.track;
+    SurfaceLines lines = lines_of_surface(parts.mesh, surface.facets, along);
     length.back() = lines.length;
     for (std::vector<int>& nodes : lines.nodes) {
-      result.push_back({std::move(nodes), lines.length / surface.track->path});
-      require_alike(result.back(), parts.shape);
+      result.push_back({std::move(nodes), lines.length / path});
+      if (along.centre)
+        result.back().circle = along;
+      else
+        require_alike(result.back().nodes, parts.shape);
     }
   }
   return result;
@@ -58,29 +88,44 @@ std::vector<UniformLine> uniform_lines(const AssemblyParts<dim>& parts,
 }  // namespace
 
 /// What all nodes of a line together wear off moves all of them. A node that alone had the
-/// rate Wdot A moved by it / A; in the sum over the line it counts by its part of the line's area,
-/// seen along the mean normal of a line that is curved, and of the path.
+/// rate Wdot A moved by it / A; in the sum over the line it counts by its part of the line's area
+/// and of the path: seen along the mean normal of a line that may be curved, on a circle along the
+/// direction in which each node moves.
 template <int dim>
-SharedShape shared_shape(const AssemblyParts<dim>& parts,
-                         const std::vector<ContactPatch<dim>>& patches) {
-  SharedShape result;
-  const std::vector<UniformLine> lines = uniform_lines(parts, result.length);
+SharedShape<dim> shared_shape(const AssemblyParts<dim>& parts,
+                              const std::vector<ContactPatch<dim>>& patches) {
+  SharedShape<dim> result;
+  const std::vector<UniformLine<dim>> lines = uniform_lines(parts, result.length);
   if (lines.empty()) return {};
   result.carrier.resize(parts.mesh.nodes.size());
   std::iota(result.carrier.begin(), result.carrier.end(), 0);
-  std::vector<Vector<dim>> area(parts.mesh.nodes.size(), Vector<dim>::Zero());
-  std::vector<double> weight(parts.mesh.nodes.size(), 1);
-  for (const ContactPatch<dim>& patch : patches)
-    area[patch.node] = patch.initial_area * patch.initial_normal;
-  for (const auto& [nodes, part] : lines) {
-    Vector<dim> sum = Vector<dim>::Zero();
-    for (const int node : nodes) sum += area[node];
-    const double whole = sum.norm();
-    for (const int node : nodes) {
-      result.carrier[node] = nodes.front();
-      if (whole > 0) weight[node] = part * area[node].norm() / whole;
-    }
+  const auto nodes = static_cast<Eigen::Index>(parts.mesh.nodes.size());
+  NodalField<dim> area = NodalField<dim>::Zero(nodes, dim), free_area = area;
+  for (const ContactPatch<dim>& patch : patches) {
+    area.row(patch.node) = patch.initial_area * patch.initial_normal.transpose();
+    free_area.row(patch.node) = initial_volume_gradient(parts.mesh, patch).transpose();
   }
+  std::vector<double> weight(parts.mesh.nodes.size(), 1);
+  NodalField<dim> direction = NodalField<dim>::Zero(nodes, dim);
+  bool turns = false;
+  for (const auto& [line, part, circle] : lines) {
+    double whole = 0;
+    Vector<dim> sum = Vector<dim>::Zero();
+    for (const int node : line) {
+      result.carrier[node] = line.front();
+      sum += area.row(node).transpose();
+      whole += free_area.row(node).norm();
+      if (circle) direction.row(node) = free_area.row(node).normalized();
+      turns = turns || !(direction.row(node) - direction.row(line.front())).isZero(0);
+    }
+    if (circle)
+      require_one_direction<dim>(line, *circle, parts, direction);
+    else
+      whole = sum.norm();
+    for (const int node : line)
+      if (whole > 0) weight[node] = part * (circle ? free_area : area).row(node).norm() / whole;
+  }
+  if (turns) result.direction = std::move(direction);
   for (const ContactPatch<dim>& patch : patches) result.weight.push_back(weight[patch.node]);
   return result;
 }
@@ -119,8 +164,8 @@ std::vector<double> worn_beyond_mesh(const Assembly<dim>& assembly, const NodalF
   return result;
 }
 
-template SharedShape shared_shape(const AssemblyParts<2>&, const std::vector<ContactPatch<2>>&);
-template SharedShape shared_shape(const AssemblyParts<3>&, const std::vector<ContactPatch<3>>&);
+template SharedShape<2> shared_shape(const AssemblyParts<2>&, const std::vector<ContactPatch<2>>&);
+template SharedShape<3> shared_shape(const AssemblyParts<3>&, const std::vector<ContactPatch<3>>&);
 template std::vector<double> worn_beyond_mesh(const Assembly<2>&, const NodalField<2>&);
 template std::vector<double> worn_beyond_mesh(const Assembly<3>&, const NodalField<3>&);
 

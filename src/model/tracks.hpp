@@ -6,18 +6,20 @@
 
 namespace gnomon {
 
+template <int dim>
 struct SharedShape {
-  std::vector<int> carrier;    ///< Assembly::carrier
-  std::vector<double> weight;  ///< Assembly::wear_weight
-  std::vector<double> length;  ///< Assembly::track_length
+  std::vector<int> carrier;     ///< Assembly::carrier
+  NodalField<dim> direction{};  ///< Assembly::shape_direction
+  std::vector<double> weight;   ///< Assembly::wear_weight
+  std::vector<double> length;   ///< Assembly::track_length
 };
 
 /// Of the cross-section, or of surfaces with a track, which alone have lengths; all are empty
 /// where there is neither. Throws
 /// InputError where the nodes of a line are not held alike.
 template <int dim>
-SharedShape shared_shape(const AssemblyParts<dim>& parts,
-                         const std::vector<ContactPatch<dim>>& patches);
+SharedShape<dim> shared_shape(const AssemblyParts<dim>& parts,
+                              const std::vector<ContactPatch<dim>>& patches);
 
 /// By body: what the rest of their tracks, of which the mesh is a part, has lost [volume].
 template <int dim>

@@ -54,6 +54,7 @@ Field shape_field(const Assembly<dim>& body, const Scales& scales, int interior,
     }
   }
   d.carrier = body.carrier;
+  d.direction = body.shape_direction;
   return d;
 }
 

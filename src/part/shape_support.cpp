@@ -37,15 +37,61 @@ void hold(const typename Mesh<dim>::Facet& facet, const Held<dim>& held, HeldNod
   for (int node : facet) nodes.try_emplace(node, Held<dim>::Zero()).first->second += held;
 }
 
-/// What holds one node of a line of a track, holds all.
+/// Projector on the directions that nothing holds. Planes that are `nearly` parallel are one.
+template <int size>
+Tensor<size> free_directions(const Held<size>& held) {
+  const auto [values, vectors] = spectrum_of(held);
+  Tensor<size> free = Tensor<size>::Zero();
+  for (int k = 0; k < size; ++k)
+    if (values[k] < nearly * nearly / 2) free += vectors.col(k) * vectors.col(k).transpose();
+  return free;
+}
+
+/// What holds one node of a line of a track, holds all, and none moves along it.
+template <int dim>
+void hold_line(const std::vector<int>& line, const Vector<dim>& along, HeldNodes<dim>& nodes) {
+  Held<dim> held = along * along.transpose();
+  for (const int node : line)
+    if (const auto own = nodes.find(node); own != nodes.end()) held += own->second;
+  for (const int node : line) nodes[node] = held;
+}
+
+/// Likewise by radius and axis. The nodes move in one direction: that of the normals `area`, as far
+/// as nothing holds it.
+template <int dim>
+void hold_circle(const std::vector<int>& line, const Streamlines<dim>& circle,
+                 const Mesh<dim>& mesh, const NodalField<dim>& area, HeldNodes<dim>& nodes) {
+  constexpr double across = 0.1, rounding = 1e-9;
+  const auto frame = [&](int node) { return circle.across(mesh.nodes[node]); };
+  Held<dim - 1> held = Held<dim - 1>::Zero();
+  Vector<dim - 1> normal = Vector<dim - 1>::Zero();
+  for (const int node : line) {
+    normal += frame(node).transpose() * area.row(node).transpose();
+    if (const auto own = nodes.find(node); own != nodes.end())
+      held += frame(node).transpose() * own->second * frame(node);
+  }
+  Vector<dim - 1> direction = free_directions<dim - 1>(held) * normal.normalized();
+  if (direction.norm() < across) direction.setZero();
+  direction.normalize();
+  for (double& component : direction)
+    if (std::abs(component) < rounding) component = 0;
+  for (const int node : line) {
+    const Vector<dim> along = frame(node) * direction;
+    nodes[node] = altogether<dim>() - along * along.transpose();
+  }
+}
+
 template <int dim>
 void hold_lines(const Mesh<dim>& mesh, const Surface<dim>& surface, HeldNodes<dim>& nodes) {
-  for (const auto& line : lines_of_surface(mesh, surface.facets, surface.track->along).nodes) {
-    Held<dim> held = surface.track->along.held();
-    for (const int node : line)
-      if (const auto own = nodes.find(node); own != nodes.end()) held += own->second;
-    for (const int node : line) nodes[node] = held;
-  }
+  const Streamlines<dim>& along = surface.track->along;
+  NodalField<dim> area = NodalField<dim>::Zero(static_cast<Eigen::Index>(mesh.nodes.size()), dim);
+  for (const auto& patch : contact_patches<dim>(mesh, surface.facets))
+    area.row(patch.node) = patch.initial_area * patch.initial_normal.transpose();
+  for (const auto& line : lines_of_surface(mesh, surface.facets, along).nodes)
+    if (along.centre)
+      hold_circle<dim>(line, along, mesh, area, nodes);
+    else
+      hold_line<dim>(line, along.along, nodes);
 }
 
 template <int dim>
@@ -62,16 +108,6 @@ HeldNodes<dim> held_nodes(const Scene& scene, const ImportedBody<dim>& part,
   for (const Surface<dim>& surface : wearing)
     if (surface.track) hold_lines(part.mesh, surface, nodes);
   return nodes;
-}
-
-/// Projector on the directions that nothing holds. Planes that are `nearly` parallel are one.
-template <int dim>
-Tensor<dim> free_directions(const Held<dim>& held) {
-  const auto [values, vectors] = spectrum_of(held);
-  Tensor<dim> free = Tensor<dim>::Zero();
-  for (int k = 0; k < dim; ++k)
-    if (values[k] < nearly * nearly / 2) free += vectors.col(k) * vectors.col(k).transpose();
-  return free;
 }
 
 /// Components that are not free need no unknown; what is oblique to them is described by a

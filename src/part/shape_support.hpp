@@ -23,7 +23,8 @@ struct ShapeSupport {
 /// Bonds of bodies stay where they are: planar ones slide in themselves, so that a coating gets
 /// thinner, not what it is on. Beyond the `wearing` surfaces planar sides slide in their plane and
 /// other sides are held, unless the scene says otherwise; beyond the reach all is held (Remark 2).
-/// The nodes of a line of a track do what all of them may, and do not move along it.
+/// The nodes of a line of a track do what all of them may, and do not move along it; those of a
+/// circle move in one direction, across it.
 template <int dim>
 ShapeSupport<dim> read_shape_support(const Scene& scene, const ImportedBody<dim>& part,
                                      const std::vector<Surface<dim>>& wearing,

@@ -39,7 +39,7 @@ const Body& body_of_track(const Scene& scene, const Surface<dim>& surface,
   return parts.bodies[static_cast<std::size_t>(body)];
 }
 
-/// Straight lines, or in space circles; none of what moves otherwise, or across the plane.
+/// Straight lines or circles; none of what moves otherwise, or across the plane.
 template <int dim>
 std::optional<Streamlines<dim>> streamlines_of(const RigidMotion<dim>& motion) {
   constexpr double rounding = 1e-12;
@@ -48,13 +48,17 @@ std::optional<Streamlines<dim>> streamlines_of(const RigidMotion<dim>& motion) {
     if (motion.velocity.norm() == 0) return {};
     return Streamlines<dim>{motion.velocity.normalized()};
   }
-  if constexpr (dim == 3) {
+  if constexpr (dim == 2) {
+    const double spin = motion.spin(1, 0);
+    return Streamlines<2>{Vector<2>::Zero(),
+                          Vector<2>(motion.spin * motion.velocity / (spin * spin))};
+  } else {
     const Vector<3> spin(motion.spin(2, 1), motion.spin(0, 2), motion.spin(1, 0)),
         v = motion.velocity;
     if (std::abs(v.dot(spin)) <= rounding * v.norm() * spin.norm())
       return Streamlines<3>{spin.normalized(), Vector<3>(spin.cross(v) / spin.squaredNorm())};
+    return {};
   }
-  return {};
 }
 
 /// Straight lines along the surface, not into it.
@@ -146,7 +150,7 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
             "expected a [[motion]] of \"{}\" with {}: its material passes the "
             "contact",
             body,
-            dim == 2 ? "a velocity in the plane, and no rotation" : "a velocity, or a rotation"));
+            dim == 2 ? "a velocity in the plane, or a rotation" : "a velocity, or a rotation"));
   return Track<dim>{*along, scene.real(key)};
 }
 
@@ -190,10 +194,9 @@ void require_receding_tracks(const Scene& scene, const AssemblyParts<dim>& parts
         throw unfit_track(
             scene, surface.name,
             surface.track->along.centre
-                ? "expected a surface that recedes along the axis of rotation, but a circle of it "
-                  "is held: sides at both ends of the track have to be planes through the axis, "
-                  "and "
-                  "those beside it round"
+                ? "expected a surface that recedes as a whole, but a circle of it is held: it has "
+                  "to be the whole circle or to end at planes through the axis, and sides beside "
+                  "it have to be planes across the axis or round about it"
                 : "expected a surface that recedes as a whole, but a line of it is held: sides at "
                   "both ends of the track have to be planes across it, and those beside it planes "
                   "along it");

@@ -27,7 +27,9 @@ TEST(SurfaceLines, AreCircles) {
   const Streamlines<3> about_z{-Vector<3>::UnitZ(), Vector<3>(0, 0, 5)};
   for (const double angle : {0.5, 3.0, 6.0}) {
     const SurfaceLines lines = lines_of_ring(angle, about_z);
-    EXPECT_NEAR(lines.length, 1.5 * angle, 1e-12);
+    double length = 0;  // R sin theta of the four edges
+    for (const double part : {1, 3, 5, 7}) length += 1.5 * std::sin(part / 16 * angle);
+    EXPECT_NEAR(lines.length, length, 1e-12);
     ASSERT_EQ(lines.nodes.size(), 4u);
     for (const std::vector<int>& line : lines.nodes) EXPECT_EQ(line.size(), 5u);
   }
@@ -49,11 +51,33 @@ TEST(SurfaceLines, MayBeClosed) {
   }
   const SurfaceLines lines =
       lines_of_surface<3>(mesh, facets, {Vector<3>::UnitZ(), Vector<3>::Zero()});
-  EXPECT_NEAR(lines.length, 4 * M_PI, 1e-12);
+  EXPECT_NEAR(lines.length, 2 * around * std::sin(M_PI / 4), 1e-12);
   EXPECT_EQ(lines.nodes.size(), 2u);
   facets.pop_back();
   EXPECT_NEAR(lines_of_surface<3>(mesh, facets, {Vector<3>::UnitZ(), Vector<3>::Zero()}).length,
-              3.5 * M_PI, 1e-12);
+              2 * (around - 1) * std::sin(M_PI / 4), 1e-12);
+}
+
+TEST(SurfaceLines, AreACircleInThePlane) {
+  constexpr int around = 12;
+  Mesh<2> mesh;
+  std::vector<Mesh<2>::Facet> facets;
+  const Streamlines<2> about{Vector<2>::Zero(), Vector<2>(1, 2)};
+  for (int k = 0; k < around; ++k) {
+    const double angle = 2 * M_PI * k / around;
+    mesh.nodes.push_back(*about.centre + 3 * Vector<2>(std::cos(angle), std::sin(angle)));
+    facets.push_back({k, (k + 1) % around});
+  }
+  SurfaceLines lines = lines_of_surface<2>(mesh, facets, about);
+  ASSERT_EQ(lines.nodes.size(), 1u);
+  EXPECT_EQ(lines.nodes.front().size(), 12u);
+  EXPECT_NEAR(lines.length, 3 * around * std::sin(M_PI / 6), 1e-12);
+  facets.erase(facets.begin() + 4);
+  lines = lines_of_surface<2>(mesh, facets, about);
+  EXPECT_THAT(lines.nodes.front(), ::testing::ElementsAre(5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4));
+  EXPECT_NEAR(lines.length, 3 * (around - 1) * std::sin(M_PI / 6), 1e-12);
+  mesh.nodes[3][1] += 0.1;
+  EXPECT_THROW(lines_of_surface<2>(mesh, facets, about), InputError);
 }
 
 TEST(SurfaceLines, AreStraight) {

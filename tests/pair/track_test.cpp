@@ -2,6 +2,7 @@
 // plane and in space.
 
 #include <cmath>
+#include <gnomon/model/gap_motion.hpp>
 
 #include "support/problem_run.hpp"
 #include "support/rough_state.hpp"
@@ -213,6 +214,82 @@ TEST(Track, MayBeRound) {
   }
 }
 
+/// A pair as concentric arcs; the lower one turns, and its rim wears by the mean along it, each
+/// node along its radius.
+template <int dim>
+AssemblyParts<dim> arcs_of(const TwoBodies& pair, double path) {
+  constexpr double radius = 2, angle = 0.3;
+  AssemblyParts<dim> parts = two_bodies<dim>(pair);
+  for (Vector<dim>& x : parts.mesh.nodes) {
+    const double r = radius + x[dim - 1], turn = angle * (x[0] - 1);
+    x[0] = r * std::sin(turn), x[dim - 1] = r * std::cos(turn);
+  }
+  const double rate = pair.lower_is_slave ? -1 : 1;  // of the master
+  Tensor<dim> spin = Tensor<dim>::Zero();
+  spin(0, dim - 1) = rate, spin(dim - 1, 0) = -rate;
+  parts.pairs.front().motion = rigid_motion<dim>(Vector<dim>::Zero(), spin, Vector<dim>::Zero());
+  const Vector<dim> axis = (dim - 2) * Vector<dim>::Unit(1);
+  Surface<dim>& rim = parts.interface.surfaces.back();
+  rim.track = Track<dim>{{axis, Vector<dim>::Zero()}, path};
+  NodalFlags<dim> held = NodalFlags<dim>::Ones(parts.shape.held.rows(), dim);
+  for (const int node : parts.mesh.boundary_nodes("bottom"))
+    held.row(node) = parts.shape.held.row(node);
+  parts.shape.held = std::move(held);
+  for (const auto& facet : rim.facets)
+    for (const int node : facet) {
+      const Vector<dim> along = rim.track->along.across(parts.mesh.nodes[node]).col(0);
+      parts.shape.held.row(node).setZero();
+      if (dim == 3) parts.shape.held(node, 1) = 1;
+      parts.shape.along[node] = along * along.transpose();
+    }
+  return parts;
+}
+
+/// Nodes of the rim move by different vectors, but along a circle by one depth.
+template <int dim>
+void expect_round_rim(const WearModel<dim>& model, const State& end) {
+  const Surface<dim>& rim = model.assembly().interface.surfaces.back();
+  const NodalField<dim> d =
+      model.system().values(end.t, end.y).vector(model.equations().fields().d);
+  const auto& nodes = model.assembly().mesh.nodes;
+  for (const auto& line :
+       lines_of_surface(model.assembly().mesh, rim.facets, rim.track->along).nodes) {
+    const double first = d.row(line.front()).norm();
+    EXPECT_GT(first, 0);
+    for (const int node : line) {
+      const Vector<dim> out = rim.track->along.across(nodes[node]).col(0);
+      EXPECT_LE((d.row(node).transpose() + first * out).norm(), 1e-12 * first);
+    }
+  }
+}
+
+template <int dim>
+void expect_rim_wears(bool track_is_slave, bool gap) {
+  SCOPED_TRACE(::testing::Message() << dim << track_is_slave << gap);
+  TwoBodies pair{.upper = {.along = 3, .high = 2, .across = 2, .from = 0.5, .to = 1.5},
+                 .lower = {.along = 3, .high = 2, .across = 1},
+                 .friction = 0.2,
+                 .lower_is_slave = track_is_slave};
+  pair.upper.wear = 1e-5, pair.lower.wear = 8e-5;
+  AssemblyParts<dim> parts = arcs_of<dim>(pair, 12);  // ten times the rim of the mesh
+  if (gap) parts.shape = gap_motion(parts);
+  const WearModel<dim> model(std::make_shared<const Assembly<dim>>(std::move(parts)));
+  check_jacobian(model.system(), 0, rough_state(model, {.every = 3}), 0.2, nullptr, 1e-6);
+  const State end = run_model(model, "sdirk-2", 20, 0, pair.duration).last();
+  const Observation observed = model.observe(end);
+  EXPECT_NEAR(*value_of(observed, "worn_volume_lower") / *value_of(observed, "worn_volume_upper"),
+              8, 3e-5);
+  expect_round_rim(model, end);
+}
+
+TEST(Track, MayBeARim) {
+  for (const bool track_is_slave : {false, true})
+    for (const bool gap : {false, true}) {
+      expect_rim_wears<2>(track_is_slave, gap);
+      expect_rim_wears<3>(track_is_slave, gap);
+    }
+}
+
 // Where all of the mesh is in contact, and the path is no longer, the mean is what each node wears.
 TEST(Track, OfUniformPressureWearsAsWithoutOne) {
   for (const bool track_is_slave : {false, true}) {
@@ -245,6 +322,24 @@ TEST(TrackScene, ThePinAndTheDiscLoseWhatTheirLawsSay) {
                                  "mesh is 8 mm of it, and contact covers about 1")));
 }
 
+// dR = -k F omega dt / (2 pi), because the speed is omega R. The force by the undeformed area of a
+// curved surface is larger by 7e-4.
+TEST(TrackScene, ARingBelowABlockLosesItsRadius) {
+  const double k = 1e-7, force = 10.8333, time = 7200, rate = 25, start = 20;
+  const auto model = model_of(
+      "worn_body/block_on_elastic_ring.toml",
+      {"mesh.factor=4", R"(wear.on=["surface", "track"])", "wear.surfaces.track.path=125.6637",
+       "wear.surfaces.track.coefficient=1e-7", "output.times=[]"});
+  const State end = run_model(*model, "esdirk-3", 0, 1e-3, time).last();
+  const double radius = start - k * force * rate * time / (2 * M_PI);
+  EXPECT_NEAR(
+      observed(*model, end, "worn_volume_ring") / (M_PI * (start * start - radius * radius)), 1,
+      1e-3);
+  EXPECT_NEAR(observed(*model, end, "worn_volume_block") / (2e-9 * force * rate * time * start),
+              (1 + radius / start) / 2, 1e-3);
+  EXPECT_LT(model->examine(end).lost_wear, 1e-12);
+}
+
 /// Overrides of the scene.
 std::string mistake(const Overrides& overrides) {
   return refusal(scene, overrides);
@@ -262,7 +357,7 @@ TEST(TrackScene, MistakesAreNamed) {
        {"motion.1.velocity=[100.0, 0.0, 1.0]", "motion.1.velocity=[0.0, 0.0, 100.0]"})
     EXPECT_THAT(mistake({motion}), HasSubstr(key + "a [[motion]] of \"disc\" with a velocity in "));
   EXPECT_THAT(mistake({"motion.1.rotation=1.0", "motion.1.center=[0.0, -4.0]"}),
-              HasSubstr("and no rotation"));
+              HasSubstr("expected a surface whose nodes lie on a circle about"));
   const std::string cycle = R"(motion.1.cycle.x="0.1*tau")",
                     held = R"(shape.hold=["base", "ends"])";
   EXPECT_THAT(mistake({cycle, "cycle.period=1.0", "cycle.phases=4"}),

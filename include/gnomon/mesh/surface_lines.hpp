@@ -12,21 +12,30 @@ namespace gnomon {
 /// Along which the material of a surface moves: straight lines, or circles.
 template <int dim>
 struct Streamlines {
-  Vector<dim> along;                    ///< direction of the lines, or axis of the circles: unit
-  std::optional<Vector<dim>> centre{};  ///< of circles, in space: a point of their axis
+  /// Direction of the lines, or axis of the circles: unit; zero for circles in the plane.
+  Vector<dim> along;
+  std::optional<Vector<dim>> centre{};  ///< of circles: their centre, in space a point of the axis
 
-  /// What holds nodes that share their shape: they do not move along straight lines; on circles,
-  /// where directions differ from node to node, only along the axis.
-  Tensor<dim> held() const {
-    const Tensor<dim> dyad = along * along.transpose();
-    return centre ? Tensor<dim>(Tensor<dim>::Identity() - dyad) : dyad;
+  /// From the axis of circles to a point.
+  Vector<dim> radial(const Vector<dim>& x) const {
+    const Vector<dim> r = x - *centre;
+    return r - r.dot(along) * along;
+  }
+  /// Of circles, at a point: unit vectors across them, along the radius and, in space, the axis.
+  Eigen::Matrix<double, dim, dim - 1> across(const Vector<dim>& x) const {
+    Eigen::Matrix<double, dim, dim - 1> frame;
+    frame.col(0) = radial(x).normalized();
+    if constexpr (dim == 3) frame.col(1) = along;
+    return frame;
   }
 };
 
 struct SurfaceLines {
   std::vector<std::vector<int>> nodes;  ///< mesh nodes of each line, from one end to the other
-  double length = 0;  ///< of every line; of circles at the mean of their radii; of curved ones that
-                      ///< of their chords, over which they are shifted [length]
+  /// Of every line; of curved ones that of their chords, over which they are shifted; of circles at
+  /// the mean of their radii, where it is the change of their area by the radius: of straight edges
+  /// between nodes at angles theta, R sin theta [length].
+  double length = 0;
 };
 
 /// In the plane the surface is a single line. Circles may be closed. Throws InputError where a node

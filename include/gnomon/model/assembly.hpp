@@ -88,7 +88,8 @@ struct Load {
 };
 
 /// Where the material of a surface passes its partner once in a turn: each of its lines along the
-/// track wears by the mean along it, and recedes as a whole (sec. 4.3).
+/// track wears by the mean along it, and recedes as a whole (sec. 4.3). The nodes of a circle move
+/// alike along its radius and its axis, in one direction.
 template <int dim>
 struct Track {
   Streamlines<dim> along;
@@ -240,6 +241,9 @@ struct Assembly : AssemblyParts<dim> {
   /// By node: that which carries its shape unknowns. Of a cross-section, and of tracks; empty: each
   /// has its own.
   std::vector<int> carrier;
+  /// By node: along which its shape moves where that differs along a line, out of the body, unit;
+  /// of others zero; empty: of all.
+  NodalField<dim> shape_direction;
   /// By contact node: its part in the wear rate of its shape unknowns; empty: 1. Where it shares
   /// them, the length that it represents divided by the length of the path.
   std::vector<double> wear_weight;
