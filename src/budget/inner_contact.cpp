@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <gnomon/shapes/counter_surface.hpp>
 
 #include "base/spectrum.hpp"
 
@@ -37,19 +38,6 @@ std::vector<Nodes> patches_of(const ContactSurface& surface, const std::vector<N
   return patches;
 }
 
-struct Box {
-  Eigen::Vector3d least, most;
-};
-
-Box box_of(const ContactSurface& surface, const Nodes& patch) {
-  Box box{place_of(surface, patch[0]), place_of(surface, patch[0])};
-  for (const std::size_t i : patch) {
-    box.least = box.least.cwiseMin(place_of(surface, i));
-    box.most = box.most.cwiseMax(place_of(surface, i));
-  }
-  return box;
-}
-
 /// Whether the nodes of a patch at an end of its box do not move out of that plane, while others do
 /// move along its normal.
 bool is_symmetric(const ContactSurface& surface, const Nodes& patch, double end, double extent,
@@ -67,13 +55,15 @@ bool is_symmetric(const ContactSurface& surface, const Nodes& patch, double end,
 
 Nodes inside_of(const ContactSurface& surface, const Nodes& patch) {
   constexpr double flat = 1e-6, inner_part = 0.9, rounding = 1e-9;
-  const Box box = box_of(surface, patch);
-  const Eigen::Vector3d extent = box.most - box.least;
-  Eigen::Vector3d middle = 0.5 * (box.least + box.most);
+  std::vector<Vector<3>> places;
+  for (const std::size_t i : patch) places.push_back(place_of(surface, i));
+  const auto [low, high] = Box<3>::around(places);
+  const Eigen::Vector3d extent = high - low;
+  Eigen::Vector3d middle = 0.5 * (low + high);
   std::array<bool, 3> mirrored{};
   for (int k = 0; k < 3; ++k) {
     if (extent[k] <= flat * extent.norm()) continue;
-    for (const double end : {box.least[k], box.most[k]})
+    for (const double end : {low[k], high[k]})
       if (is_symmetric(surface, patch, end, extent[k], k)) {
         middle[k] = end;
         mirrored[static_cast<std::size_t>(k)] = true;
