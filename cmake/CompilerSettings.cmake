@@ -7,10 +7,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_G
 endif()
 # __FILE__ is relative, so that no binary names the folder where it was built.
 target_compile_options(gnomon_settings INTERFACE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+set(gnomon_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=undefined
+                      $<$<CXX_COMPILER_ID:Clang>:-D__SANITIZE_ADDRESS__>)  # as GCC
 if(GNOMON_SANITIZE)
-  target_compile_options(gnomon_settings INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer
-    $<$<CXX_COMPILER_ID:Clang>:-D__SANITIZE_ADDRESS__>)  # as GCC
+  target_compile_options(gnomon_settings INTERFACE ${gnomon_sanitizers} -fno-omit-frame-pointer)
   target_link_options(gnomon_settings INTERFACE -fsanitize=address,undefined)
 endif()
 if(GNOMON_COVERAGE)
