@@ -219,6 +219,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);
   facts.body_turn = find_body_turn(equations_, values);
   facts.moved_axis = find_moved_axis(equations_, values, contacts);
+  facts.unseen_sliding = find_unseen_sliding(equations_, values, contacts);
   facts.lost_wear = find_lost_wear(assembly(), contacts);
   if (std::ranges::any_of(assembly().loads, [](const Load<dim>& load) { return load.weight > 0; }))
     facts.stale_weight = find_stale_weight(assembly().loads, state.t, observe(state));

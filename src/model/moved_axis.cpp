@@ -15,15 +15,16 @@ struct MeanOfSide {
   double force = 0;
   Vector<dim> x = Vector<dim>::Zero(), moved = Vector<dim>::Zero();  // in space
 
+  /// `motion`: of the nodes in the frame of the body, u or its rate.
   MeanOfSide(const Assembly<dim>& assembly, const std::set<int>& nodes, const BodyPlace<dim>& place,
-             const NodalField<dim>& d, const NodalField<dim>& u,
+             const NodalField<dim>& d, const NodalField<dim>& u, const NodalField<dim>& motion,
              const std::vector<ContactNode<dim>>& contact) {
     for (const int node : nodes) {
       const ContactNode<dim>& at = contact[static_cast<std::size_t>(assembly.contact_node(node))];
       const double part = at.area * std::max(0.0, -at.traction);
       const Vector<dim> own = u.row(node).transpose();
       force += part;
-      moved += part * (place.turn * own);
+      moved += part * (place.turn * motion.row(node).transpose());
       x += part * place.of(assembly.mesh.nodes[static_cast<std::size_t>(node)] +
                            d.row(node).transpose() + own);
     }
@@ -50,9 +51,9 @@ std::optional<MovedAxis> find_moved_axis(const WornBodyEquations<dim>& equations
         const Tensor<dim> spin = phase.places.empty()
                                      ? pair.spins[static_cast<std::size_t>(side)]
                                      : places.of[static_cast<std::size_t>(side)].motion.spin;
+        const NodalField<dim>& u = values.vector(equations.fields(p).u);
         const MeanOfSide<dim> mean(assembly, nodes, places.of[static_cast<std::size_t>(side)],
-                                   values.vector(equations.fields(p).d),
-                                   values.vector(equations.fields(p).u), contacts[p].nodes);
+                                   values.vector(equations.fields(p).d), u, u, contacts[p].nodes);
         const Vector<dim> v = places.motion.at(mean.x), wrong = spin * mean.moved;
         const double weight = contacts[p].weight * mean.force;
         const double across = places.motion.across_at(mean.x);
@@ -73,6 +74,74 @@ std::optional<MovedAxis> find_moved_axis(const WornBodyEquations<dim>& equations
   return most;
 }
 
+namespace {
+
+/// The change of a displacement with time in a phase, by those before and after it.
+template <int dim>
+NodalField<dim> rate_in_phase(const WornBodyEquations<dim>& equations,
+                              const FieldValues<dim>& values, std::size_t p) {
+  const std::vector<Phase<dim>>& phases = equations.phases();
+  const std::size_t count = phases.size(), before = (p + count - 1) % count,
+                    after = (p + 1) % count;
+  double part = phases[after].position - phases[before].position;
+  if (part <= 0) part += 1;
+  return (values.vector(equations.fields(after).u) - values.vector(equations.fields(before).u)) /
+         (part * equations.assembly().cycle->motion.cycle.period);
+}
+
+/// Without the part along the mean normal of the contact, by its forces.
+template <int dim>
+Vector<dim> tangential(const Vector<dim>& v, const Assembly<dim>& assembly,
+                       const MortarPair<dim>& pair, const BodyPlace<dim>& slave,
+                       const std::vector<ContactNode<dim>>& contact) {
+  Vector<dim> normal = Vector<dim>::Zero();
+  for (const int node : nodes_of_facets(pair.slave)) {
+    const ContactNode<dim>& at = contact[static_cast<std::size_t>(assembly.contact_node(node))];
+    normal += at.area * std::max(0.0, -at.traction) * at.normal;
+  }
+  normal = (slave.turn * normal).normalized();
+  return v - v.dot(normal) * normal;
+}
+
+}  // namespace
+
+template <int dim>
+std::optional<UnseenSliding> find_unseen_sliding(const WornBodyEquations<dim>& equations,
+                                                 const FieldValues<dim>& values,
+                                                 const std::vector<PhaseContact<dim>>& contacts) {
+  constexpr std::size_t least_phases = 4;
+  const Assembly<dim>& assembly = equations.assembly();
+  if (!assembly.cycle || assembly.interface.sticks || contacts.size() < least_phases) return {};
+  std::optional<UnseenSliding> most;
+  for (const MortarPair<dim>& pair : assembly.pairs)
+    for (const std::size_t side : {0, 1}) {
+      const std::set<int> nodes = nodes_of_facets(side == 0 ? pair.slave : pair.master);
+      double unseen = 0, sliding = 0;
+      for (std::size_t p = 0; p < contacts.size(); ++p) {
+        const PairPlaces<dim> places(pair, equations.phases()[p].places);
+        const MeanOfSide<dim> mean(assembly, nodes, places.of[side],
+                                   values.vector(equations.fields(p).d),
+                                   values.vector(equations.fields(p).u),
+                                   rate_in_phase(equations, values, p), contacts[p].nodes);
+        const Vector<dim> v = tangential<dim>(places.motion.at(mean.x), assembly, pair,
+                                              places.of[0], contacts[p].nodes);
+        const double weight = contacts[p].weight * mean.force;
+        sliding += weight * v.norm();
+        unseen += weight * std::abs(mean.moved.dot(v.normalized()));
+      }
+      if (const double part = sliding > 0 ? unseen / sliding : 0; !most || part > most->part)
+        most =
+            UnseenSliding{assembly.bodies[static_cast<std::size_t>(pair.numbers[side])].name, part};
+    }
+  return most;
+}
+
+template std::optional<UnseenSliding> find_unseen_sliding(const WornBodyEquations<2>&,
+                                                          const FieldValues<2>&,
+                                                          const std::vector<PhaseContact<2>>&);
+template std::optional<UnseenSliding> find_unseen_sliding(const WornBodyEquations<3>&,
+                                                          const FieldValues<3>&,
+                                                          const std::vector<PhaseContact<3>>&);
 template std::optional<MovedAxis> find_moved_axis(const WornBodyEquations<2>&,
                                                   const FieldValues<2>&,
                                                   const std::vector<PhaseContact<2>>&);

@@ -1,4 +1,4 @@
-// Bodies of pairs that turn about fixed points while loads and wear move them.
+// Bodies of pairs that loads, wear and contact move otherwise than [[motion]] says.
 #pragma once
 
 #include <gnomon/model/examination.hpp>
@@ -15,5 +15,11 @@ template <int dim>
 std::optional<MovedAxis> find_moved_axis(const WornBodyEquations<dim>& equations,
                                          const FieldValues<dim>& values,
                                          const std::vector<PhaseContact<dim>>& contacts);
+
+/// Absent where bodies have no places over a cycle, or friction may stick.
+template <int dim>
+std::optional<UnseenSliding> find_unseen_sliding(const WornBodyEquations<dim>& equations,
+                                                 const FieldValues<dim>& values,
+                                                 const std::vector<PhaseContact<dim>>& contacts);
 
 }  // namespace gnomon

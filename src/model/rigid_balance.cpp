@@ -29,12 +29,20 @@ public:
     poses_.assign(rigid_.size(), Pose<dim>::Identity());
   }
 
-  /// Bodies that may only be shifted in one direction are where they touch.
-  bool is_free() const {
+  /// Bodies that may only be shifted in one direction are where they touch; over a cycle in any.
+  bool is_free(bool over_cycle) const {
     constexpr double rounding = 1e-6;
-    return std::ranges::any_of(rigid_, [](const RigidPart<dim>& part) {
+    return std::ranges::any_of(rigid_, [&](const RigidPart<dim>& part) {
       const auto rotations = part.loose.bottomRows(rigid_motions_of(dim) - dim);
-      return part.loose.cols() > 1 || rotations.norm() > rounding;
+      return (part.loose.cols() > 1 && !over_cycle) || rotations.norm() > rounding;
+    });
+  }
+  /// Whether one that may move has another place than in the mesh: its directions turn.
+  bool moves_placed(const std::vector<BodyPlace<dim>>& places) const {
+    return std::ranges::any_of(rigid_, [&](const RigidPart<dim>& part) {
+      const auto number =
+          static_cast<std::size_t>(&body_of_part(parts_, part) - parts_.bodies.data());
+      return part.loose.cols() > 0 && number < places.size() && !places[number].is_identity();
     });
   }
   /// Whether loads act along what is free, beyond rounding errors.
@@ -283,9 +291,11 @@ RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
   direction = touching.direction;
   for (std::size_t node = 0; node < x.size(); ++node)
     x[node] += displacement.row(static_cast<Eigen::Index>(node)).transpose();
-  if (parts.pairs.empty() || !places.empty()) return;
-  Settling<dim> settling(parts, x);
-  if (!settling.is_free() || !settling.is_driven() || supports_press(parts)) return;
+  if (parts.pairs.empty()) return;
+  Settling<dim> settling(parts, in_space(parts.pairs, places, x));
+  if (!settling.is_free(!places.empty()) || settling.moves_placed(places) ||
+      !settling.is_driven() || supports_press(parts))
+    return;
   double softest = 0;
   std::tie(doubt, softest) = start(settling, parts.scales);
   if (!doubt.empty()) return;

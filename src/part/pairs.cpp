@@ -11,8 +11,10 @@
 #include <limits>
 #include <set>
 
+#include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
 #include "model/connected_parts.hpp"
+#include "model/rigid_parts.hpp"
 #include "part/body_motions.hpp"
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"
@@ -58,8 +60,29 @@ Facets<dim> boundary_of(const Scene& scene, const std::string& pair, const Impor
   return result;
 }
 
+/// How loads move the middle of some facets of a body that supports let turn, as a lever on its
+/// pivot, without regard to the size; zero where they do not.
+template <int dim>
+Vector<dim> turned_by_loads(const AssemblyParts<dim>& parts, const NodalField<dim>& forces,
+                            const Facets<dim>& facets) {
+  const std::set<int> nodes = nodes_of_facets(facets);
+  Vector<dim> middle = Vector<dim>::Zero();
+  for (const int node : nodes) middle += parts.mesh.nodes[node] / double(nodes.size());
+  for (const RigidPart<dim>& part : rigid_parts(parts, parts.mesh.nodes)) {
+    if (part.loose.cols() == 0 || !part.has(*nodes.begin())) continue;
+    const auto velocities = [&](const Vector<dim>& x) {
+      return rigid_velocities<dim>(x, part.centre, part.size);
+    };
+    Twist<dim> load = Twist<dim>::Zero();
+    for (const int node : part.nodes)
+      load += velocities(parts.mesh.nodes[node]).transpose() * forces.row(node).transpose();
+    return velocities(middle) * (part.loose * (part.loose.transpose() * load));
+  }
+  return Vector<dim>::Zero();
+}
+
 /// The direction in which the master comes near: against the loads on a slave that nothing holds
-/// there, along those on such a master, else into the surface of the slave.
+/// there, or that they turn, along those on such a master, else into the surface of the slave.
 template <int dim>
 Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts,
                         const std::array<int, 2>& bodies) {
@@ -86,12 +109,15 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
       load[side] += forces.row(row).transpose();
     }
   for (std::size_t side = 0; side < 2; ++side) {
-    // A load along directions that supports hold does not press.
+    // A load along directions that supports hold does not press, but it may turn.
     const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
-    const Vector<dim> presses = side == 0 ? Vector<dim>(-free) : free;
-    if (presses.norm() > rounding * load[side].norm() &&
-        presses.dot(outward) <= away * presses.norm() * area)
-      return presses.normalized();
+    for (const Vector<dim>& moves :
+         {free, turned_by_loads<dim>(parts, forces, side == 0 ? pair.slave : pair.master)}) {
+      const Vector<dim> presses = side == 0 ? Vector<dim>(-moves) : moves;
+      if (presses.norm() > rounding * load[side].norm() &&
+          presses.dot(outward) <= away * presses.norm() * area)
+        return presses.normalized();
+    }
   }
   return outward.norm() > 0 ? Vector<dim>(-outward.normalized()) : Vector<dim>::Unit(dim - 1);
 }

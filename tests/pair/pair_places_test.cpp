@@ -90,6 +90,57 @@ TEST(PairPlaces, AnEccentricCamWearsAsItsPathSays) {
   EXPECT_LT(double(run.counters.krylov_iterations), 10.0 * double(run.counters.linear_solves));
 }
 
+/// A rigid rocker with a flat pad, `below` its pivot P, on a disc that turns about the origin.
+struct Rocker {
+  static constexpr double radius = 10, eccentric = 2, below = 3, load = 50;
+  Vector<2> P{40, 13.8}, spring{-3, 16.8};  // where the load acts before it is turned
+  double rate = 2 * M_PI / 0.1;
+
+  /// Height of the disc above the pad, at an angle of the disc and of the rocker.
+  double overlap(double turn, double angle) const {
+    const Vector<2> C = eccentric * Vector<2>(std::cos(turn), std::sin(turn));
+    const Vector<2> n(-std::sin(angle), std::cos(angle));
+    return (C - P).dot(n) + below + radius;
+  }
+  double angle(double turn) const {
+    double low = -0.3, high = 0.3;  // it turns away from the disc by negative angles
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (low + high) / 2;
+      (overlap(turn, middle) * overlap(turn, low) <= 0 ? high : low) = middle;
+    }
+    return low;
+  }
+  /// Force times speed, and what the rocker itself slides by that of the disc, with a sign.
+  std::pair<double, double> at(double turn) const {
+    constexpr double h = 1e-4;
+    const double phi = angle(turn), spin = rate * (angle(turn + h) - angle(turn - h)) / (2 * h);
+    const Vector<2> t(std::cos(phi), std::sin(phi)), n(-t[1], t[0]);
+    const Vector<2> X = eccentric * Vector<2>(std::cos(turn), std::sin(turn)) + radius * n;
+    const Vector<2> from = spring - P, lever = from[0] * t + from[1] * n;
+    const double force = load * lever[0] / (X - P).dot(t),
+                 speed = rate * Vector<2>(-X[1], X[0]).dot(t);
+    return {force * std::abs(speed), spin * below / speed};
+  }
+};
+
+// The pivot and the cam determine how it is turned in each phase.
+TEST(PairPlaces, ARockerRestsOnItsCamInEveryPhase) {
+  const auto model = model_of("worn_body/cam_and_rocker.toml", {"mesh.factor=2"});
+  const State end = run_model(*model, "esdirk-3", 0, 1e-3, 100).last();
+  double power = 0, unseen = 0;
+  for (int phase = 0; phase < 8; ++phase) {
+    const auto [own, beside] = Rocker{}.at(2 * M_PI * phase / 8);
+    power += own / 8, unseen += own * std::abs(beside) / 8;
+  }
+  EXPECT_NEAR(observed(*model, end, "worn_volume_cam") / (1e-9 * power * 100), 1, 5e-3);
+  EXPECT_NEAR(observed(*model, end, "worn_volume_rocker") / (2e-9 * power * 100), 1, 5e-3);
+  // What the rocker slides by itself is left out, and told where it is much.
+  const Examination facts = model->examine(end);
+  ASSERT_TRUE(facts.unseen_sliding);
+  EXPECT_EQ(facts.unseen_sliding->body, "rocker");
+  EXPECT_NEAR(facts.unseen_sliding->part / (unseen / power), 1, 0.15);
+}
+
 // A tooth slides on the other one by the distance from the pitch point times the sum of the speeds
 // of rotation; force and path are those of the line of action.
 TEST(PairPlaces, GearTeethWearAsTheySlide) {

@@ -48,6 +48,13 @@ struct MovedAxis {
   double part = 0;   ///< negative: too slowly
 };
 
+/// Over a cycle: sliding by the places of bodies leaves out how contact, loads and friction move
+/// them on from phase to phase, as it turns a rocker.
+struct UnseenSliding {
+  std::string body;  ///< its name
+  double part = 0;   ///< of the sliding speed: mean of the sizes
+};
+
 /// Of a body that has small strains, which take its rotation for strains.
 struct BodyTurn {
   std::string body;  ///< its name; empty where there is one
@@ -90,9 +97,10 @@ struct Examination {
   /// Weight of what has worn off, which an acceleration still moves, as a part of the contact
   /// force.
   double stale_weight = 0;
-  std::optional<BodyTurn> body_turn{};    ///< the largest one
-  std::optional<MovedAxis> moved_axis{};  ///< of pairs, the one with the largest part
-  std::optional<GapError> gap_error{};    ///< where wear is a gap
+  std::optional<BodyTurn> body_turn{};            ///< the largest one
+  std::optional<MovedAxis> moved_axis{};          ///< of pairs, the one with the largest part
+  std::optional<UnseenSliding> unseen_sliding{};  ///< likewise
+  std::optional<GapError> gap_error{};            ///< where wear is a gap
   /// Where friction may stick: CycleOfSlip::stick_area.
   double stick_area = 0;
   /// There, the largest angle of a counter-body that a moment turns [rad].
