@@ -10,10 +10,10 @@
 #include "mesh/facet_table.hpp"
 #include "model/body_turn.hpp"
 #include "model/connected_parts.hpp"
-#include "model/moved_axis.hpp"
 #include "model/observed_path.hpp"
 #include "model/observed_rolling.hpp"
 #include "model/resultants.hpp"
+#include "model/sliding_error.hpp"
 
 namespace gnomon {
 

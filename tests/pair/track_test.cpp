@@ -282,6 +282,15 @@ void expect_rim_wears(bool track_is_slave, bool gap) {
   expect_round_rim(model, end);
 }
 
+TEST(Track, OfARimHasDerivativesWithAveragedNormals) {
+  TwoBodies pair{.upper = {.along = 3, .high = 2, .from = 0.5, .to = 1.5, .wear = 1e-3},
+                 .lower = {.along = 3, .high = 2, .wear = 2e-3},
+                 .friction = 0.2,
+                 .normal = NormalRule::averaged};
+  const WearModel<2> model(std::make_shared<const Assembly<2>>(arcs_of<2>(pair, 12)));
+  check_jacobian(model.system(), 0, rough_state(model, {.every = 3}), 0.2, nullptr, 1e-6);
+}
+
 TEST(Track, MayBeARim) {
   for (const bool track_is_slave : {false, true})
     for (const bool gap : {false, true}) {

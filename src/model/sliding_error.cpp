@@ -1,4 +1,4 @@
-#include "model/moved_axis.hpp"
+#include "model/sliding_error.hpp"
 
 #include <cmath>
 #include <set>
