@@ -50,7 +50,8 @@ int main(int argc, char** argv) {
   const budget::Trial reference = budget::try_scene(
       reference_of(run.scene, std::atof(argv[1]), budget), [](double) { return false; });
   const Budget quick = quick_budget(run.scene, run.goals, run.work, hooks);
-  const std::vector<double> errors = differences(run.goals, reference.goals);
+  const std::vector<double> errors =
+      differences(with_nodal_pressures(run.goals), with_nodal_pressures(reference.goals));
   fmt::print("| {} | {:.2g} s | {:.2g} s | {:.2g} s |", file.stem().string(), budget.run_seconds,
              budget.companion_seconds, quick.companion_seconds);
   for (std::size_t i = 0; i < errors.size(); ++i)

@@ -85,7 +85,8 @@ int main(int argc, char** argv) {
                  .parts = {{.source = ErrorSource::mesh,
                             .key = "",
                             .how = "",
-                            .errors = differences(trial.goals, reference.goals)}}};
+                            .errors = differences(with_nodal_pressures(trial.goals),
+                                                  with_nodal_pressures(reference.goals))}}};
     for (double& error : truth.parts[0].errors) error = std::abs(error);
     const double error = wanted_error(asked, truth), within = asked.real("accuracy.within");
     fmt::print("| {} | {:g} % | {:.2g} % | {} | {} | {:.2g} s | {:.2g} s | {} |\n",

@@ -73,9 +73,13 @@ std::vector<double> errors_of_coarser(const Goals& coarse, const Goals& fine) {
 }
 
 void respect_area(const Goals& goals, std::vector<double>& errors) {
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    if (goals.values[i].name == "contact_area" || goals.values[i].name == "mean_pressure")
-      errors[i] = std::isnan(errors[i]) ? errors[i] : std::max(std::abs(errors[i]), goals.area);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (std::isnan(errors[i])) continue;
+    const std::string& name = goals.values[i].name;
+    if (name == "contact_area" || name == "mean_pressure")
+      errors[i] = std::max(std::abs(errors[i]), goals.area);
+    if (name == "inner_pressure") errors[i] = std::abs(errors[i]) + goals.pressure_open;
+  }
 }
 
 Extrapolated extrapolated(double fine, double coarse) {

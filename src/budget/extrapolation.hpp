@@ -25,7 +25,8 @@ std::vector<double> mesh_differences(const Goals& coarse, const Goals& fine);
 std::vector<double> errors_of_coarser(const Goals& coarse, const Goals& fine);
 
 /// Errors of the mesh of a run are, in the area of contact and the pressure over it, at least what
-/// its own last closed nodes leave open: the difference of two meshes may be small by chance.
+/// its own last closed nodes leave open: the difference of two meshes may be small by chance. In
+/// that of the pressure inside, which differences() leave out, they are added.
 void respect_area(const Goals& goals, std::vector<double>& errors);
 
 /// The error of the finer of two runs, and the observed order.

@@ -7,6 +7,7 @@
 #include <gnomon/results/surface_difference.hpp>
 #include <gnomon/system/system.hpp>
 #include <limits>
+#include <set>
 
 #include "budget/inner_contact.hpp"
 
@@ -38,10 +39,29 @@ struct FieldDifferences {
 };
 
 FieldDifferences field_differences(const Goals& goals, const Goals& other) {
-  const SurfaceDifference difference = surface_difference(goals.surface, other.surface);
+  SurfaceDifference difference = surface_difference(goals.surface, other.surface);
+  for (std::size_t i = 0; i < difference.pressure.size(); ++i) {
+    const double own = goals.surface.pressure[i], others = own - difference.pressure[i];
+    difference.pressure[i] = own * goals.pressure_by_ends - others * other.pressure_by_ends;
+  }
   const Eigen::Map<const Eigen::VectorXd> distance(
       difference.distance.data(), static_cast<Eigen::Index>(difference.distance.size()));
   return {distance.norm(), inner_norm(difference.pressure, goals.inner)};
+}
+
+/// `size`: between the ends of the contact. Where it is not the sum of the shares of nodes but for
+/// the last closed ones, as that of several patches, or pressures are means over a cycle, nothing
+/// is known.
+void add_edge_pressure(double size, const Observation& observed, Goals& goals) {
+  constexpr double typical = 0.5;  // of what is open at most
+  const auto area = value_of(observed, "contact_area"),
+             bound = value_of(observed, "contact_area_error");
+  if (!area || !bound || !(size > 0) || std::abs(*area - size) > *bound) return;
+  if (!goals.surface.phase_weight.empty()) return;
+  const double even = budget::reaches_edges(goals.surface, goals.inner),
+               off = even * (*area / size - 1);
+  goals.pressure_by_ends = 1 + off;
+  goals.pressure_open = std::max(std::abs(off), typical * even * *bound / size);
 }
 
 /// With the sizes of the elements at the surface.
@@ -56,6 +76,14 @@ void add_edges(const Grid& grid, const std::vector<std::vector<std::size_t>>& ne
       edge = std::min(edge, distance(surface.initial[i], surface.initial[j]));
     goals.edge.push_back(edge);
   }
+}
+
+/// Whether bodies meet each other.
+bool several_touch(const Goals& goals) {
+  std::set<int> bodies;
+  for (std::size_t i = 0; i < goals.body.size(); ++i)
+    if (goals.surface.pressure[i] > 0) bodies.insert(goals.body[i]);
+  return bodies.size() > 1;
 }
 
 }  // namespace
@@ -75,6 +103,8 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   const auto neighbours = budget::surface_neighbours(model.grid, goals.surface);
   goals.inner = budget::inner_nodes(goals.surface, neighbours);
   if (model.grid) add_edges(*model.grid, neighbours, goals);
+  if (several_touch(goals))
+    goals.inner = budget::without_edges(goals.surface, neighbours, goals.inner);
   if (const auto difference = wear_difference(observed); difference && *difference != 0)
     goals.ledger = std::abs(*difference / *value_of(observed, "worn_volume"));
   const auto add = [&](const char* name) {
@@ -90,6 +120,7 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   const double size = in_plane ? 2 * *half_width : area ? area->value : 0;
   if (const auto bound = value_of(observed, "contact_area_error"); bound && !in_plane && size > 0)
     goals.area = (goals.surface.dim == 2 ? 0.5 : 0.25) * *bound / size;
+  if (in_plane) add_edge_pressure(size, observed, goals);
   if (const auto force = value_of(observed, "contact_force"))
     goals.values.push_back({"mean_pressure", "MPa", size > 0 ? *force / size : 0});
   goals.values.push_back(

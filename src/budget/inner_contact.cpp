@@ -111,6 +111,45 @@ std::vector<Nodes> surface_neighbours(const std::optional<Grid>& grid,
   return neighbours;
 }
 
+double reaches_edges(const ContactSurface& surface, const Nodes& inner) {
+  constexpr double middle = 0.5, outer = 0.8;  // of the way from the middle of `inner` to its end
+  constexpr double of_ellipse = 0.957;         // its mean over the middle
+  constexpr double too_even = 0.95;
+  std::vector<Vector<3>> touching, inside;
+  for (std::size_t i = 0; i < surface.pressure.size(); ++i)
+    if (surface.pressure[i] > 0) touching.push_back(place_of(surface, i));
+  for (const std::size_t i : inner) inside.push_back(place_of(surface, i));
+  if (inside.empty()) return 0;
+  const Box<3> whole = Box<3>::around(touching), part = Box<3>::around(inside);
+  Eigen::Index along = 0;
+  (whole.high - whole.low).maxCoeff(&along);
+  const auto way = [&](const Box<3>& box, const Vector<3>& x) {  // from -1 to 1
+    const double low = box.low[along], high = box.high[along];
+    return high > low ? (2 * x[along] - low - high) / (high - low) : 0;
+  };
+  struct Mean {
+    double pressure = 0, ellipse = 0, count = 0;
+  };
+  std::array<Mean, 3> means;  // near one end, in the middle, near the other
+  for (std::size_t k = 0; k < inner.size(); ++k) {
+    const double at = way(part, inside[k]), by_whole = way(whole, inside[k]);
+    if (std::abs(at) > middle && std::abs(at) < outer) continue;
+    Mean& mean = means[std::abs(at) <= middle ? 1 : at < 0 ? 0 : 2];
+    mean.pressure += surface.pressure[inner[k]];
+    mean.ellipse += std::sqrt(1 - by_whole * by_whole) / of_ellipse;
+    ++mean.count;
+  }
+  if (std::ranges::any_of(means, [](const Mean& mean) { return mean.count == 0; })) return 0;
+  double reach = 1;
+  for (const Mean& end : {means[0], means[2]}) {
+    const double ellipse = end.ellipse / end.count,
+                 found = end.pressure / end.count / (means[1].pressure / means[1].count);
+    if (ellipse > too_even) return 0;
+    reach = std::min(reach, (found - ellipse) / (1 - ellipse));
+  }
+  return std::max(reach, 0.0);
+}
+
 Nodes inner_nodes(const ContactSurface& surface, const std::vector<Nodes>& neighbours) {
   constexpr std::size_t least = 3;  // of a patch that has an inside
   Nodes inner;
@@ -121,6 +160,26 @@ Nodes inner_nodes(const ContactSurface& surface, const std::vector<Nodes>& neigh
     if (all_small || patch.size() >= least)
       std::ranges::copy(inside_of(surface, patch), std::back_inserter(inner));
   return inner;
+}
+
+Nodes without_edges(const ContactSurface& surface, const std::vector<Nodes>& neighbours,
+                    const Nodes& inner) {
+  constexpr std::size_t least = 3;
+  Nodes best = inner;
+  std::vector<char> beside(surface.pressure.size());
+  std::ranges::transform(surface.pressure, beside.begin(), [](double p) { return !(p > 0); });
+  for (int layer = 0; layer < 2; ++layer) {
+    const std::vector<char> before = beside;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i])
+        for (const std::size_t j : neighbours[i]) beside[j] = true;
+    Nodes rest;
+    std::ranges::copy_if(inner, std::back_inserter(rest),
+                         [&](std::size_t i) { return !beside[i]; });
+    if (rest.size() < least) return best;
+    best = std::move(rest);
+  }
+  return best;
 }
 
 }  // namespace gnomon::budget

@@ -18,4 +18,14 @@ std::vector<std::vector<std::size_t>> surface_neighbours(const std::optional<Gri
 std::vector<std::size_t> inner_nodes(const ContactSurface& surface,
                                      const std::vector<std::vector<std::size_t>>& neighbours);
 
+/// Of these nodes those that are not among the two next to nodes without pressure, if there are
+/// three: the last nodes of a master carry a part of the pressure.
+std::vector<std::size_t> without_edges(const ContactSurface& surface,
+                                       const std::vector<std::vector<std::size_t>>& neighbours,
+                                       const std::vector<std::size_t>& inner);
+
+/// Whether pressure reaches to the edges of a plane contact: 0 where it falls to the ends of these
+/// nodes as an ellipse over the contact does, or is not known, 1 where it is that in their middle.
+double reaches_edges(const ContactSurface& surface, const std::vector<std::size_t>& inner);
+
 }  // namespace gnomon::budget

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+
 namespace gnomon::budget {
 namespace {
 
@@ -50,6 +53,37 @@ TEST(InnerContact, OfSeveralPatchesIsTheInsideOfEach) {
   Line unknown(pressure);
   unknown.neighbours.clear();  // one patch, with the edges between
   EXPECT_EQ(unknown.inner().front(), 4u);
+}
+
+TEST(InnerContact, LeavesOutTheLastTwoNodesWhereOthersRemain) {
+  std::vector<double> pressure = ones(11);
+  const auto inside = [&] {
+    const Line line(pressure);
+    return without_edges(line.surface, line.neighbours, line.inner());
+  };
+  EXPECT_EQ(inside(), range(1, 10));  // no node is without pressure
+  pressure[0] = pressure[10] = 0;
+  EXPECT_EQ(inside(), range(3, 8));
+  pressure[1] = pressure[9] = 0;
+  EXPECT_EQ(inside(), range(4, 7));  // of 2 to 8
+  pressure[2] = pressure[8] = 0;
+  EXPECT_EQ(inside(), range(4, 7));  // of 3 to 7 the last ones alone
+}
+
+/// By the nodes within 0.9 of the half width.
+double reach_of(const std::function<double(double)>& pressure) {
+  std::vector<double> values;
+  for (int i = 0; i <= 40; ++i) values.push_back(pressure(i / 20.0 - 1));
+  const Line line(values);
+  return reaches_edges(line.surface, range(2, 39));
+}
+
+TEST(InnerContact, KnowsWherePressureReachesTheEdges) {
+  EXPECT_EQ(reach_of([](double) { return 4.0; }), 1);
+  EXPECT_EQ(reach_of([](double x) { return std::sqrt(1.0001 - x * x); }), 0);              // Hertz
+  EXPECT_EQ(reach_of([](double x) { return std::sqrt(4.0001 - (1 + x) * (1 + x)); }), 0);  // a half
+  EXPECT_EQ(reach_of([](double x) { return 1 / std::sqrt(1.0001 - x * x); }), 1);  // a flat punch
+  EXPECT_EQ(reaches_edges(Line(ones(3)).surface, {}), 0);
 }
 
 TEST(InnerContact, APlaneOfSymmetryIsItsMiddle) {

@@ -24,6 +24,10 @@ struct Goals {
   /// Of bodies of revolution and in space: what the last closed nodes leave open of contact_area,
   /// as a part of it. A half and a quarter of contact_area_error, which is a bound.
   double area = 0;
+  /// In plane strain, where pressure reaches to the edges: nodal pressures times this are those
+  /// over the distance of the ends of contact, in the place of the whole shares of the last closed
+  /// nodes; and what these leave open of inner_pressure, as a part of it.
+  double pressure_by_ends = 1, pressure_open = 0;
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
   /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
   /// approach. profile is the paper's norm of the change of shape. mean_pressure is contact_force
@@ -45,9 +49,16 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
 
 /// The values minus those of another result, relative to themselves. Of profile the paper's norm of
 /// the distances between the worn surfaces along the normal, of inner_pressure the root mean square
-/// of differences; another mesh is interpolated linearly to the nodes of `goals`. not_known where
-/// the value is zero, or the other result does not have it.
+/// of differences of pressures over the distance of the ends; another mesh is interpolated linearly
+/// to the nodes of `goals`. not_known where the value is zero, or the other result does not have
+/// it.
 std::vector<double> differences(const Goals& goals, const Goals& other);
+
+/// Of the pressures of nodes as they are, for differences() between a result and a reference.
+inline Goals with_nodal_pressures(Goals goals) {
+  goals.pressure_by_ends = 1;
+  return goals;
+}
 
 /// Whether the difference of this value is a norm, which has no sign: profile, inner_pressure.
 bool is_norm(const std::string& value);
