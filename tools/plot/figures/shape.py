@@ -22,10 +22,11 @@ def draw(result):
     figure = style.figure()
     hidden = is_hidden(last)
     axes, *below = figure.subplots(2 if hidden else 1, 1, squeeze=False)[:, 0]
-    handles = [draw_initial(axes, first, breaks)]
+    rows, ends = outline(result, first, breaks)
+    handles = [draw_initial(axes, first[rows], ends)]
     for step, colour in zip(steps, style.sequence(len(steps))):
         table = result.contact(step)
-        axes.plot(*joined(breaks, table["X"], table["Y"]), color=colour)
+        axes.plot(*joined(ends, table["X"][rows], table["Y"][rows]), color=colour)
         handles.append(Line2D([], [], color=colour, label=result.clock.text(result.times[step])))
         for panel in below:
             panel.plot(*joined(breaks, along(first), table["wear_depth"]), color=colour)
@@ -61,12 +62,28 @@ def is_hidden(table):
     return 0 < table["wear_depth"].max() < SEEN * numpy.ptp(heights)
 
 
+def sides_of(result):
+    return {tuple(side) for side in numpy.sort(plane.outline(result.cells), axis=1)}
+
+
 def breaks_of(result, table):
     """The rows after which the surface does not go on: rows follow each other along it."""
-    sides = {tuple(side) for side in numpy.sort(plane.outline(result.cells), axis=1)}
+    sides = sides_of(result)
     nodes = table["node"]
     pairs = numpy.sort(numpy.stack([nodes[:-1], nodes[1:]], axis=1), axis=1)
     return 1 + numpy.flatnonzero([tuple(pair) not in sides for pair in pairs])
+
+
+def outline(result, table, breaks):
+    """Rows along the surface, the first of a closed curve once more at its end."""
+    sides = sides_of(result)
+    pieces = numpy.split(numpy.arange(len(table)), breaks)
+    closed = [tuple(sorted(table["node"][piece[[0, -1]]])) in sides and len(piece) > 2
+              for piece in pieces]
+    rows = [numpy.append(piece, piece[0]) if close else piece
+            for piece, close in zip(pieces, closed)]
+    ends = numpy.cumsum([len(piece) for piece in rows])[:-1]
+    return numpy.concatenate(rows), ends
 
 
 def joined(breaks, *columns):
