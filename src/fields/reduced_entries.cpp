@@ -7,18 +7,20 @@ namespace gnomon {
 ReducedEntries::ReducedEntries(const Numbering& numbering, SparsePattern all)
     : all_(std::move(all)) {
   for (int number = 0; number < all_.size(); ++number) rows_.push_back(numbering.meaning(number));
-  const auto for_entries = [this](const auto& visit) {
-    for (int column = 0; column < all_.size(); ++column)
-      for (int k = all_.column_start[column]; k < all_.column_start[column + 1]; ++k)
-        visit(rows_[all_.row_index[k]], rows_[column]);
-  };
   PatternBuilder builder(numbering.size());
-  for_entries(
-      [&](const auto& row, const auto& column) { builder.add({row.unknown}, {column.unknown}); });
+  std::vector<int> rows;
+  for (int column = 0; column < all_.size(); ++column) {
+    rows.clear();
+    for (int k = all_.column_start[column]; k < all_.column_start[column + 1]; ++k)
+      rows.push_back(rows_[all_.row_index[k]].unknown);
+    builder.add(rows, {rows_[column].unknown});
+  }
   pattern_ = builder.build();
-  for_entries([&](const auto& row, const auto& column) {
-    entries_.push_back({pattern_.find(row.unknown, column.unknown), row.factor * column.factor});
-  });
+  for (int column = 0; column < all_.size(); ++column)
+    for (int k = all_.column_start[column]; k < all_.column_start[column + 1]; ++k) {
+      const auto &row = rows_[all_.row_index[k]], &of = rows_[column];
+      entries_.push_back({pattern_.find(row.unknown, of.unknown), row.factor * of.factor});
+    }
 }
 
 void ReducedEntries::add_rows(std::span<const double> all, std::span<double> F) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/surface_lines.hpp>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -44,6 +45,10 @@ public:
     if (!lines_.centre) return x - x.dot(lines_.along) * lines_.along;
     return lines_.radial(x).norm() * Vector<dim>::Unit(0) +
            (x - *lines_.centre).dot(lines_.along) * Vector<dim>::Unit(1);
+  }
+  bool is_on_axis(const Vector<dim>& x) const {
+    constexpr double rounding = 1e-6;
+    return lines_.radial(x).norm() <= rounding * radius_;
   }
   /// SurfaceLines::length of a circle.
   double length_of(const std::vector<Vector<dim>>& circle, bool closed) const {
@@ -86,6 +91,13 @@ public:
           circle.size() < 3 || !pairs_.contains({before, circle[k]}))
         return circle[k];
     return -1;
+  }
+
+  /// Whether facets join all nodes of a line, in its order.
+  bool join(const std::vector<int>& line) const {
+    for (std::size_t k = 1; k < line.size(); ++k)
+      if (!pairs_.contains({line[k - 1], line[k]})) return false;
+    return true;
   }
 
 private:
@@ -170,12 +182,42 @@ InputError broken_line(const Streamlines<dim>& along, double whole, const Vector
       point_text<dim>(start), length));
 }
 
+/// Up to nodes in the middle of chords, as those of subdivided cells.
 template <int dim>
-InputError no_circle(const Vector<dim>& centre, const Vector<dim>& near, const Vector<dim>& far) {
-  return InputError(
-      fmt::format("expected a surface whose nodes lie on a circle about {}, but their distances "
-                  "from there are {:.6g} to {:.6g} mm",
-                  point_text<dim>(centre), (near - centre).norm(), (far - centre).norm()));
+void require_circle(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+                    const Vector<dim>& centre) {
+  constexpr double rounding = 1e-6, margin = 1.2;
+  double least = std::numeric_limits<double>::infinity(), most = 0, longest = 0;
+  for (const auto& facet : facets)
+    for (const int node : facet) {
+      const double radius = (mesh.nodes[static_cast<std::size_t>(node)] - centre).norm();
+      least = std::min(least, radius), most = std::max(most, radius);
+      longest = std::max(longest, edge(mesh, facet.front(), node).norm());
+    }
+  if (most - least > rounding * most + margin * longest * longest / (2 * most))
+    throw InputError(
+        fmt::format("expected a surface whose nodes lie on a circle about {}, but their distances "
+                    "from there are {:.6g} to {:.6g} mm",
+                    point_text<dim>(centre), least, most));
+}
+
+/// Of circles: not a point on the axis, and in one piece.
+template <int dim>
+void require_arcs(const Mesh<dim>& mesh, const SurfaceLines& lines,
+                  const Neighbours<dim>& neighbours, const Vector<dim>& centre,
+                  const LineCoordinates<dim>& coordinates) {
+  for (const std::vector<int>& line : lines.nodes) {
+    const Vector<dim>& x = mesh.nodes[static_cast<std::size_t>(line.front())];
+    if (coordinates.is_on_axis(x))
+      throw InputError(fmt::format(
+          "expected a surface that does not reach the axis of rotation through {}, as at {}",
+          point_text<dim>(centre), point_text<dim>(x)));
+    if (!neighbours.join(line))
+      throw InputError(
+          fmt::format("expected a surface in one piece along circles, but that through "
+                      "{} is interrupted",
+                      point_text<dim>(x)));
+  }
 }
 
 }  // namespace
@@ -185,10 +227,9 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
                               const std::vector<typename Mesh<dim>::Facet>& facets,
                               const Streamlines<dim>& along) {
   constexpr double rounding = 1e-6;  // of the size of the surface: files have so many digits
-  // A surface in the plane is a single circle, however mesh.split has put its nodes.
-  const double apart = dim == 2 && along.centre ? 1e-3 : rounding;
   const auto at = [&](int node) { return mesh.nodes[static_cast<std::size_t>(node)]; };
   const std::set<int> nodes = nodes_of_facets(facets);
+  if (dim == 2 && along.centre) require_circle<dim>(mesh, facets, *along.centre);
   std::vector<Vector<dim>> points;
   for (const int node : nodes) points.push_back(at(node));
   double size = 0;
@@ -196,11 +237,9 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   LineCoordinates<dim> coordinates(along, points);
   SurfaceLines lines{.nodes = {{nodes.begin(), nodes.end()}}};
   for (int i = 0; i < dim; ++i)
-    lines.nodes = divided(lines.nodes, apart * size,
-                          [&](int node) { return coordinates.across(at(node))[i]; });
-  if (dim == 2 && along.centre && lines.nodes.size() > 1)
-    throw no_circle<dim>(*along.centre, at(lines.nodes.front().front()),
-                         at(lines.nodes.back().front()));
+    if (dim == 3 || !along.centre)
+      lines.nodes = divided(lines.nodes, rounding * size,
+                            [&](int node) { return coordinates.across(at(node))[i]; });
   const auto place = [&](int node) { return coordinates.place(at(node)); };
   const auto sort = [&](std::vector<int>& line) { std::ranges::sort(line, {}, place); };
   const Neighbours<dim> neighbours(facets);
@@ -212,6 +251,7 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
     if (!closed) coordinates.begin_at(at(first));
   }
   std::ranges::for_each(lines.nodes, sort);
+  if (along.centre) require_arcs(mesh, lines, neighbours, *along.centre, coordinates);
   const auto [first, last] = std::ranges::minmax_element(nodes, {}, place);
   const double low = place(*first), high = place(*last);
   lines.length = high - low;

@@ -17,7 +17,8 @@ double FoundationLaw::pressure(double overlap) const {
 
 template <int dim>
 Foundation<dim>::Foundation(const AssemblyParts<dim>& parts,
-                            const std::vector<RigidPart<dim>>& rigid, std::vector<Vector<dim>> x)
+                            const std::vector<RigidPart<dim>>& rigid, std::vector<Vector<dim>> x,
+                            const std::vector<BodyPlace<dim>>& places)
     : parts_(parts), rigid_(rigid), x_(std::move(x)), now_(x_), part_of_(x_.size(), 0) {
   constexpr double part_of_size = 0.05;
   touches_.assign(rigid.size(), 0);
@@ -32,6 +33,7 @@ Foundation<dim>::Foundation(const AssemblyParts<dim>& parts,
       const auto& own = slave ? pair.slave : pair.master;
       const auto& other = slave ? pair.master : pair.slave;
       if (own.empty() || other.empty()) continue;
+      const PairPlaces<dim> place(pair, places);
       const std::size_t part = part_of_[own.front()[0]];
       touches_[part] = 1;
       for (const auto& facet : own) sum += (x_[facet[1]] - x_[facet[0]]).norm();
@@ -42,10 +44,13 @@ Foundation<dim>::Foundation(const AssemblyParts<dim>& parts,
                         .targets = other,
                         .normals = {},
                         .near = {},
-                        .pair = &pair,
+                        .motion = place.motion,
+                        .friction = pair.friction,
                         .slave = slave});
+      for (ContactPatch<dim>& patch : sides_.back().patches)
+        patch.initial_normal = (place.of[slave ? 0 : 1].turn * patch.initial_normal).eval();
       for (const auto& patch : contact_patches<dim>(parts.mesh, other, {}, parts.section()))
-        sides_.back().normals[patch.node] = patch.initial_normal;
+        sides_.back().normals[patch.node] = place.of[slave ? 1 : 0].turn * patch.initial_normal;
     }
   facet_size_ = facets > 0 ? sum / facets : 0;
   for (const Load<dim>& load : parts.loads)
@@ -155,8 +160,7 @@ void Foundation<dim>::add_side(const Side& side, const std::vector<Pose<dim>>& p
     const Vector<dim> place = now_[patch.node] + at.distance / 2 * n;
     const Vector<dim> on_slave =
         force *
-        SlidingTraction<dim>(patch, out.normalized(), place, side.pair->motion, side.pair->friction)
-            .direction;
+        SlidingTraction<dim>(patch, out.normalized(), place, side.motion, side.friction).direction;
     add_force(side.slave ? side.part : side.other, place, on_slave, forces);
     add_force(side.slave ? side.other : side.part, place, -on_slave, forces);
   }

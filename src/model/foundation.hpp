@@ -27,9 +27,10 @@ struct FoundationLaw {
 template <int dim>
 class Foundation {
 public:
-  /// `x`: where the nodes are at first. The referenced objects must outlive it.
+  /// `x`: where the nodes are at first, in space; `places`: of the bodies in a phase of a cycle.
+  /// The referenced objects must outlive it.
   Foundation(const AssemblyParts<dim>& parts, const std::vector<RigidPart<dim>>& rigid,
-             std::vector<Vector<dim>> x);
+             std::vector<Vector<dim>> x, const std::vector<BodyPlace<dim>>& places);
 
   /// Of the loads at a time, on each part.
   std::vector<Twist<dim>> loads(const std::vector<Pose<dim>>& poses, LoadTime at) const;
@@ -54,7 +55,8 @@ private:
     std::vector<typename Mesh<dim>::Facet> targets;
     std::map<int, Vector<dim>> normals;  ///< of the nodes of these, at first
     std::vector<std::vector<int>> near;  ///< by patch: targets that its normal may meet
-    const MortarPair<dim>* pair = nullptr;
+    RigidMotion<dim> motion{};           ///< of the master's material relative to the slave's
+    double friction = 0;
     bool slave = true;
   };
   /// What a node meets along its normal. Beyond the edge of the other surface the weight falls from

@@ -19,8 +19,10 @@ namespace {
 template <int dim>
 class Settling {
 public:
-  Settling(const AssemblyParts<dim>& parts, const std::vector<Vector<dim>>& x)
-      : parts_(parts), rigid_(rigid_parts(parts, x)), foundation_(parts, rigid_, x) {
+  /// `x`: of the nodes, in space.
+  Settling(const AssemblyParts<dim>& parts, const std::vector<Vector<dim>>& x,
+           const std::vector<BodyPlace<dim>>& places)
+      : parts_(parts), rigid_(rigid_parts(parts, x)), foundation_(parts, rigid_, x, places) {
     for (std::size_t k = 0; k < rigid_.size(); ++k) {
       if (!foundation_.touches(k)) rigid_[k].loose.resize(rigid_motions_of(dim), 0);
       unknowns_ += rigid_[k].loose.cols();
@@ -37,12 +39,13 @@ public:
       return (part.loose.cols() > 1 && !over_cycle) || rotations.norm() > rounding;
     });
   }
-  /// Whether one that may move has another place than in the mesh: its directions turn.
-  bool moves_placed(const std::vector<BodyPlace<dim>>& places) const {
+  /// Whether one that may move has places over the cycle: what supports leave free turns with them.
+  bool frees_placed() const {
     return std::ranges::any_of(rigid_, [&](const RigidPart<dim>& part) {
       const auto number =
           static_cast<std::size_t>(&body_of_part(parts_, part) - parts_.bodies.data());
-      return part.loose.cols() > 0 && number < places.size() && !places[number].is_identity();
+      return part.loose.cols() > 0 &&
+             (!parts_.cycle || parts_.cycle->motion.bodies[number].moves());
     });
   }
   /// Whether loads act along what is free, beyond rounding errors.
@@ -248,7 +251,7 @@ bool wedged(const AssemblyParts<dim>& parts) {
   AssemblyParts<dim> left_alone = parts;  // friction would drag them
   left_alone.loads.clear();
   for (MortarPair<dim>& pair : left_alone.pairs) pair.friction = 0;
-  return Settling<dim>(left_alone, parts.mesh.nodes).is_wedged();
+  return Settling<dim>(left_alone, parts.mesh.nodes, {}).is_wedged();
 }
 
 namespace {
@@ -292,8 +295,8 @@ RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
   for (std::size_t node = 0; node < x.size(); ++node)
     x[node] += displacement.row(static_cast<Eigen::Index>(node)).transpose();
   if (parts.pairs.empty()) return;
-  Settling<dim> settling(parts, in_space(parts.pairs, places, x));
-  if (!settling.is_free(!places.empty()) || settling.moves_placed(places) ||
+  Settling<dim> settling(parts, in_space(parts.pairs, places, x), places);
+  if (!settling.is_free(!places.empty()) || (!places.empty() && settling.frees_placed()) ||
       !settling.is_driven() || supports_press(parts))
     return;
   double softest = 0;

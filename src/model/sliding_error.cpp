@@ -1,5 +1,6 @@
 #include "model/sliding_error.hpp"
 
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -113,26 +114,33 @@ std::optional<UnseenSliding> find_unseen_sliding(const WornBodyEquations<dim>& e
   const Assembly<dim>& assembly = equations.assembly();
   if (!assembly.cycle || assembly.interface.sticks || contacts.size() < least_phases) return {};
   std::optional<UnseenSliding> most;
-  for (const MortarPair<dim>& pair : assembly.pairs)
-    for (const std::size_t side : {0, 1}) {
-      const std::set<int> nodes = nodes_of_facets(side == 0 ? pair.slave : pair.master);
-      double unseen = 0, sliding = 0;
-      for (std::size_t p = 0; p < contacts.size(); ++p) {
-        const PairPlaces<dim> places(pair, equations.phases()[p].places);
-        const MeanOfSide<dim> mean(assembly, nodes, places.of[side],
-                                   values.vector(equations.fields(p).d),
-                                   values.vector(equations.fields(p).u),
-                                   rate_in_phase(equations, values, p), contacts[p].nodes);
-        const Vector<dim> v = tangential<dim>(places.motion.at(mean.x), assembly, pair,
-                                              places.of[0], contacts[p].nodes);
-        const double weight = contacts[p].weight * mean.force;
-        sliding += weight * v.norm();
-        unseen += weight * std::abs(mean.moved.dot(v.normalized()));
-      }
-      if (const double part = sliding > 0 ? unseen / sliding : 0; !most || part > most->part)
-        most =
-            UnseenSliding{assembly.bodies[static_cast<std::size_t>(pair.numbers[side])].name, part};
+  for (const MortarPair<dim>& pair : assembly.pairs) {
+    double unseen = 0, sliding = 0;
+    std::array<double, 2> own{};  // of each side
+    for (std::size_t p = 0; p < contacts.size(); ++p) {
+      const PairPlaces<dim> places(pair, equations.phases()[p].places);
+      const NodalField<dim> rate = rate_in_phase(equations, values, p);
+      const auto mean_of = [&](std::size_t side) {
+        return MeanOfSide<dim>(assembly, nodes_of_facets(side == 0 ? pair.slave : pair.master),
+                               places.of[side], values.vector(equations.fields(p).d),
+                               values.vector(equations.fields(p).u), rate, contacts[p].nodes);
+      };
+      const MeanOfSide<dim> slave = mean_of(0), master = mean_of(1);
+      const Vector<dim> v = tangential<dim>(places.motion.at(slave.x), assembly, pair, places.of[0],
+                                            contacts[p].nodes);
+      const double weight = contacts[p].weight * slave.force,
+                   speed = std::hypot(v.norm(), places.motion.across_at(slave.x));
+      if (!(speed > 0)) continue;
+      sliding += weight * speed;
+      unseen += weight * std::abs((master.moved - slave.moved).dot(v)) / speed;
+      own[0] += weight * std::abs(slave.moved.dot(v)) / speed;
+      own[1] += weight * std::abs(master.moved.dot(v)) / speed;
     }
+    const std::size_t side = own[1] > own[0];
+    if (const double part = sliding > 0 ? unseen / sliding : 0; !most || part > most->part)
+      most =
+          UnseenSliding{assembly.bodies[static_cast<std::size_t>(pair.numbers[side])].name, part};
+  }
   return most;
 }
 

@@ -16,7 +16,7 @@ std::optional<MovedAxis> find_moved_axis(const WornBodyEquations<dim>& equations
                                          const FieldValues<dim>& values,
                                          const std::vector<PhaseContact<dim>>& contacts);
 
-/// Absent where bodies have no places over a cycle, or friction may stick.
+/// Absent without a cycle of at least four phases, and where friction may stick.
 template <int dim>
 std::optional<UnseenSliding> find_unseen_sliding(const WornBodyEquations<dim>& equations,
                                                  const FieldValues<dim>& values,

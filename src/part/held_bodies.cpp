@@ -38,7 +38,7 @@ void require_pressing_loads(const Scene& scene, const AssemblyParts<dim>& parts,
   const Closing contact = closing_of(parts, rigid[k], motion);
   if (!contact.is_one_sided()) return;
   const double side = contact.closes > contact.opens ? 1 : -1;
-  const Foundation<dim> foundation(parts, rigid, parts.mesh.nodes);
+  const Foundation<dim> foundation(parts, rigid, parts.mesh.nodes, {});
   const std::vector<Pose<dim>> at_first(rigid.size(), Pose<dim>::Identity());
   for (const Phase<dim>& phase : parts.instants())
     for (const LoadTime& at : load_times(scene, parts.loads)) {
@@ -116,15 +116,22 @@ void require_held(const Scene& scene, const AssemblyParts<dim>& parts, const std
   for (std::size_t k = 0; k < rigid.size(); ++k)
     mistakes.collect([&] { require_part_held(scene, parts, rigid, k); });
   mistakes.require_none();
-  const RigidBalance<dim> balance(
-      parts, places_over_cycle(parts).front(),
-      loads_change(parts.loads) ? load_times(scene, parts.loads) : std::vector<LoadTime>());
-  if (!balance.doubt.empty())
-    throw InputError(
-        fmt::format("{}: expected supports and contact that determine where each body rests under "
-                    "its loads, but {}; hold it there in [[support]], or direct [[load]] into the "
-                    "contact{}",
-                    scene.path().string(), balance.doubt, hint.empty() ? "" : "; " + hint));
+  const auto require_rest = [&](const std::string& doubt) {
+    if (!doubt.empty())
+      throw InputError(
+          fmt::format("{}: expected supports and contact that determine where each body rests "
+                      "under its loads, but {}; hold it there in [[support]], or direct [[load]] "
+                      "into the contact{}",
+                      scene.path().string(), doubt, hint.empty() ? "" : "; " + hint));
+  };
+  require_rest(RigidBalance<dim>(parts, places_over_cycle(parts).front(),
+                                 loads_change(parts.loads) ? load_times(scene, parts.loads)
+                                                           : std::vector<LoadTime>())
+                   .doubt);
+  if (parts.pairs.empty()) return;
+  for (const Phase<dim>& phase : parts.phases)
+    if (const std::string doubt = RigidBalance<dim>(parts, phase.places).doubt; !doubt.empty())
+      require_rest(fmt::format("at tau = {:.3g} of the cycle {}", phase.position, doubt));
 }
 
 template void require_held(const Scene&, const AssemblyParts<2>&, const std::string&);

@@ -109,15 +109,21 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
       load[side] += forces.row(row).transpose();
     }
   for (std::size_t side = 0; side < 2; ++side) {
-    // A load along directions that supports hold does not press, but it may turn.
+    // A load along directions that supports hold does not press.
     const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
-    for (const Vector<dim>& moves :
-         {free, turned_by_loads<dim>(parts, forces, side == 0 ? pair.slave : pair.master)}) {
-      const Vector<dim> presses = side == 0 ? Vector<dim>(-moves) : moves;
-      if (presses.norm() > rounding * load[side].norm() &&
-          presses.dot(outward) <= away * presses.norm() * area)
-        return presses.normalized();
-    }
+    const Vector<dim> presses = side == 0 ? Vector<dim>(-free) : free;
+    if (presses.norm() > rounding * load[side].norm() &&
+        presses.dot(outward) <= away * presses.norm() * area)
+      return presses.normalized();
+  }
+  for (std::size_t side = 0; side < 2; ++side) {  // but it may turn into the surface
+    const Vector<dim> moves =
+        turned_by_loads<dim>(parts, forces, side == 0 ? pair.slave : pair.master);
+    const Vector<dim> presses = side == 0 ? Vector<dim>(-moves) : moves;
+    const bool all_around = outward.norm() <= away * area;
+    if (presses.norm() > rounding * load[side].norm() &&
+        (all_around || presses.dot(outward) <= -away * presses.norm() * outward.norm()))
+      return presses.normalized();
   }
   return outward.norm() > 0 ? Vector<dim>(-outward.normalized()) : Vector<dim>::Unit(dim - 1);
 }

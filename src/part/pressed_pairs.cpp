@@ -63,7 +63,7 @@ void require_pressed_pairs(const Scene& scene, const AssemblyParts<dim>& parts) 
   const auto free =
       std::ranges::find_if(rigid, [](const RigidPart<dim>& part) { return part.loose.cols() > 0; });
   if (parts.pairs.empty() || free == rigid.end() || supports_press(parts)) return;
-  const Foundation<dim> foundation(parts, rigid, parts.mesh.nodes);
+  const Foundation<dim> foundation(parts, rigid, parts.mesh.nodes, {});
   const double least = rounding_of_loads * foundation.largest_load();
   const bool overlaps = overlap(parts);
   if (least == 0 && !overlaps) return;  // find_magnitudes() tells more

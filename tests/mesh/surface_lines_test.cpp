@@ -76,8 +76,31 @@ TEST(SurfaceLines, AreACircleInThePlane) {
   lines = lines_of_surface<2>(mesh, facets, about);
   EXPECT_THAT(lines.nodes.front(), ::testing::ElementsAre(5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4));
   EXPECT_NEAR(lines.length, 3 * (around - 1) * std::sin(M_PI / 6), 1e-12);
-  mesh.nodes[3][1] += 0.1;
+  facets.erase(facets.begin() + 8);  // two arcs
   EXPECT_THROW(lines_of_surface<2>(mesh, facets, about), InputError);
+}
+
+// However small the steps between the radii of its nodes are.
+TEST(SurfaceLines, AreNoCircleAboutAnotherPoint) {
+  Mesh<2> mesh;
+  std::vector<Mesh<2>::Facet> facets;
+  for (int k = 0; k < 2000; ++k) {
+    const double angle = 2 * M_PI * k / 2000;
+    mesh.nodes.emplace_back(3 * std::cos(angle), 3 * std::sin(angle));
+    facets.push_back({k, (k + 1) % 2000});
+  }
+  EXPECT_NO_THROW(lines_of_surface<2>(mesh, facets, {Vector<2>::Zero(), Vector<2>::Zero()}));
+  EXPECT_THROW(lines_of_surface<2>(mesh, facets, {Vector<2>::Zero(), Vector<2>(0.01, 0)}),
+               InputError);
+}
+
+TEST(SurfaceLines, DoNotReachTheAxis) {
+  const Mesh<3> mesh = structured_hexahedra(4, 3, 1, [](double s, double t, double z) {
+    return Vector<3>(t * std::cos(s), t * std::sin(s), z);
+  });
+  EXPECT_THROW(
+      lines_of_surface<3>(mesh, mesh.boundary.at("top"), {Vector<3>::UnitZ(), Vector<3>::Zero()}),
+      InputError);
 }
 
 TEST(SurfaceLines, AreStraight) {

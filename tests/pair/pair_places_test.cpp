@@ -141,6 +141,18 @@ TEST(PairPlaces, ARockerRestsOnItsCamInEveryPhase) {
   EXPECT_NEAR(facts.unseen_sliding->part / (unseen / power), 1, 0.15);
 }
 
+// The cycle may begin anywhere: the same places in another order.
+TEST(PairPlaces, ARockerRestsWhereverTheCycleBegins) {
+  const auto wear = [](const Overrides& overrides) {
+    const auto model = model_of("worn_body/cam_and_rocker.toml", overrides);
+    const State end = run_model(*model, "esdirk-3", 0, 1e-4, 10).last();
+    return observed(*model, end, "worn_volume");
+  };
+  EXPECT_NEAR(wear({"mesh.factor=2", R"(motion.1.cycle.rotation="2*pi*tau+pi/2")"}) /
+                  wear({"mesh.factor=2"}),
+              1, 1e-6);
+}
+
 // A tooth slides on the other one by the distance from the pitch point times the sum of the speeds
 // of rotation; force and path are those of the line of action.
 TEST(PairPlaces, GearTeethWearAsTheySlide) {

@@ -287,7 +287,11 @@ TEST(Track, OfARimHasDerivativesWithAveragedNormals) {
                  .lower = {.along = 3, .high = 2, .wear = 2e-3},
                  .friction = 0.2,
                  .normal = NormalRule::averaged};
-  const WearModel<2> model(std::make_shared<const Assembly<2>>(arcs_of<2>(pair, 12)));
+  AssemblyParts<2> parts = arcs_of<2>(pair, 12);
+  // The mesh follows, too.
+  for (Eigen::Index node = 0; node < parts.shape.held.rows(); ++node)
+    if (!parts.shape.along.contains(static_cast<int>(node))) parts.shape.held.row(node).setZero();
+  const WearModel<2> model(std::make_shared<const Assembly<2>>(std::move(parts)));
   check_jacobian(model.system(), 0, rough_state(model, {.every = 3}), 0.2, nullptr, 1e-6);
 }
 
@@ -347,6 +351,12 @@ TEST(TrackScene, ARingBelowABlockLosesItsRadius) {
   EXPECT_NEAR(observed(*model, end, "worn_volume_block") / (2e-9 * force * rate * time * start),
               (1 + radius / start) / 2, 1e-3);
   EXPECT_LT(model->examine(end).lost_wear, 1e-12);
+  const ContactSurface surface = model->contact(end).value();
+  const auto top =
+      std::ranges::max_element(surface.initial, {}, [](const auto& x) { return x[1]; });
+  EXPECT_NEAR(surface.wear_depth[static_cast<std::size_t>(top - surface.initial.begin())] /
+                  (start - radius),
+              1, 1e-3);
 }
 
 /// Overrides of the scene.

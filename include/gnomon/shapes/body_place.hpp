@@ -14,7 +14,6 @@ struct BodyPlace {
   RigidMotion<dim> motion{};                   ///< of its material, at points x [length / time]
 
   Vector<dim> of(const Vector<dim>& X) const { return turn * X + shift; }
-  bool is_identity() const { return turn.isIdentity(0) && shift.isZero(0); }
 };
 
 /// Adds a motion of points y = x - origin, times a factor, to one of points x.
