@@ -7,6 +7,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/scene/toml_key.hpp>
+#include <limits>
 #include <set>
 
 #include "mesh/facet_table.hpp"
@@ -95,6 +96,24 @@ void require_own_nodes(const Scene& scene, const Surface<dim>& surface,
   }
 }
 
+/// The geometry says how long a circle is; of several at the mean of their radii.
+template <int dim>
+void require_circumference(const Scene& scene, const Surface<dim>& surface, const Mesh<dim>& mesh) {
+  constexpr double nearly = 0.01;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const int node : nodes_of_facets(surface.facets)) {
+    const double radius =
+        surface.track->along.radial(mesh.nodes[static_cast<std::size_t>(node)]).norm();
+    least = std::min(least, radius), most = std::max(most, radius);
+  }
+  const double circumference = M_PI * (least + most);
+  if (std::abs(surface.track->path / circumference - 1) > nearly)
+    throw unfit_track(scene, surface.name,
+                      fmt::format("expected the circumference at the mean of its radii, {:.6g} mm, "
+                                  "got {:g} mm",
+                                  circumference, surface.track->path));
+}
+
 }  // namespace
 
 void refuse_track(const Scene& scene, const std::string& surface) {
@@ -175,6 +194,10 @@ void require_lines(const Scene& scene, const ImportedBody<dim>& part,
     } catch (const InputError& error) {
       throw refuse(error.what());
     }
+    if (surface.track->along.centre) {
+      require_circumference(scene, surface, parts.mesh);
+      continue;
+    }
     constexpr double rounding = 1e-6;
     if (surface.track->path < (1 - rounding) * length)
       throw refuse(
@@ -206,17 +229,22 @@ void require_receding_tracks(const Scene& scene, const AssemblyParts<dim>& parts
 template <int dim>
 std::vector<std::string> remarks_on_tracks(const Magnitudes& expected,
                                            const AssemblyParts<dim>& parts) {
+  constexpr double most = 0.9;
   std::vector<std::string> remarks;
   const double area = expected.scales.force / expected.scales.stress,
                contact = dim == 2 ? area : std::sqrt(area);
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.track) continue;
     const auto& [along, path] = *surface.track;
-    remarks.push_back(fmt::format(
-        "\"{}\" wears by the mean along its track of {:g} mm: its mesh is {:.3g} mm of it, and "
-        "contact covers about {:.2g} %",
-        surface.name, path, lines_of_surface(parts.mesh, surface.facets, along).length,
-        100 * std::min(1.0, contact / path)));
+    const double length = lines_of_surface(parts.mesh, surface.facets, along).length;
+    const bool ends = dim == 2 && contact > most * length && most * path > length;
+    remarks.push_back(
+        fmt::format("\"{}\" wears by the mean along its track of {:g} mm: its mesh is {:.3g} mm of "
+                    "it, and contact covers about {:.2g} %{}",
+                    surface.name, path, length, 100 * std::min(1.0, contact / path),
+                    ends ? ", up to the ends of that mesh or beyond: shapes and pressures are "
+                           "wrong then, and a longer mesh is needed"
+                         : ""));
   }
   return remarks;
 }

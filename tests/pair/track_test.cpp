@@ -375,6 +375,8 @@ TEST(TrackScene, MistakesAreNamed) {
   for (const char* motion :
        {"motion.1.velocity=[100.0, 0.0, 1.0]", "motion.1.velocity=[0.0, 0.0, 100.0]"})
     EXPECT_THAT(mistake({motion}), HasSubstr(key + "a [[motion]] of \"disc\" with a velocity in "));
+  EXPECT_THAT(refusal("worn_body/shoe_on_drum.toml", {"wear.surfaces.rim.path=450.0"}),
+              HasSubstr("the circumference at the mean of its radii, 376.991 mm, got 450 mm"));
   EXPECT_THAT(mistake({"motion.1.rotation=1.0", "motion.1.center=[0.0, -4.0]"}),
               HasSubstr("expected a surface whose nodes lie on a circle about"));
   const std::string cycle = R"(motion.1.cycle.x="0.1*tau")",
