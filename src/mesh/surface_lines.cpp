@@ -50,6 +50,7 @@ public:
     constexpr double rounding = 1e-6;
     return lines_.radial(x).norm() <= rounding * radius_;
   }
+  double circumference() const { return 2 * M_PI * radius_; }
   /// SurfaceLines::length of a circle.
   double length_of(const std::vector<Vector<dim>>& circle, bool closed) const {
     double length = 0;
@@ -265,6 +266,7 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
     points.clear();
     for (const int node : lines.nodes.front()) points.push_back(at(node));
     lines.length = coordinates.length_of(points, closed);
+    lines.circumference = coordinates.circumference();
     return lines;
   }
   if (Groups curved = along.centre ? Groups{} : followed_lines<dim>(mesh, facets, along.along);

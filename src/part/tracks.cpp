@@ -7,7 +7,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/scene/toml_key.hpp>
-#include <limits>
 #include <set>
 
 #include "mesh/facet_table.hpp"
@@ -96,24 +95,6 @@ void require_own_nodes(const Scene& scene, const Surface<dim>& surface,
   }
 }
 
-/// The geometry says how long a circle is; of several at the mean of their radii.
-template <int dim>
-void require_circumference(const Scene& scene, const Surface<dim>& surface, const Mesh<dim>& mesh) {
-  constexpr double nearly = 0.01;
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (const int node : nodes_of_facets(surface.facets)) {
-    const double radius =
-        surface.track->along.radial(mesh.nodes[static_cast<std::size_t>(node)]).norm();
-    least = std::min(least, radius), most = std::max(most, radius);
-  }
-  const double circumference = M_PI * (least + most);
-  if (std::abs(surface.track->path / circumference - 1) > nearly)
-    throw unfit_track(scene, surface.name,
-                      fmt::format("expected the circumference at the mean of its radii, {:.6g} mm, "
-                                  "got {:g} mm",
-                                  circumference, surface.track->path));
-}
-
 }  // namespace
 
 void refuse_track(const Scene& scene, const std::string& surface) {
@@ -188,22 +169,24 @@ void require_lines(const Scene& scene, const ImportedBody<dim>& part,
                       "facets, got {} of them",
                       group.size(), surface.facets.size()));
     require_own_nodes(scene, surface, parts);
-    double length = 0;
+    SurfaceLines lines;
     try {
-      length = lines_of_surface(parts.mesh, surface.facets, surface.track->along).length;
+      lines = lines_of_surface(parts.mesh, surface.facets, surface.track->along);
     } catch (const InputError& error) {
       throw refuse(error.what());
     }
-    if (surface.track->along.centre) {
-      require_circumference(scene, surface, parts.mesh);
-      continue;
-    }
-    constexpr double rounding = 1e-6;
-    if (surface.track->path < (1 - rounding) * length)
+    constexpr double nearly = 0.01, rounding = 1e-6;
+    if (lines.circumference > 0) {  // the geometry says how long a circle is
+      if (std::abs(surface.track->path / lines.circumference - 1) > nearly)
+        throw refuse(
+            fmt::format("expected the circumference at the mean of its radii, {:.6g} mm, got {:g} "
+                        "mm",
+                        lines.circumference, surface.track->path));
+    } else if (surface.track->path < (1 - rounding) * lines.length)
       throw refuse(
           fmt::format("expected at least the length of its mesh along the track, {:.6g} "
                       "mm, got {:g} mm",
-                      length, surface.track->path));
+                      lines.length, surface.track->path));
   }
 }
 

@@ -35,7 +35,8 @@ public:
   Multiple meaning(int number) const {
     return number < size() ? Multiple{number, 1} : multiples_[number - size()];
   }
-  /// By number: the value that it stands for. Of entities that share it, that of the carrier.
+  /// By number: the value that it stands for. Of entities that share it, that of the carrier; along
+  /// a direction its largest component, a multiple of the unknown.
   struct Unknown {
     const Field& field;
     int entity, component;

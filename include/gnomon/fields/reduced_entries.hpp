@@ -11,7 +11,7 @@ namespace gnomon {
 
 class ReducedEntries {
 public:
-  /// `all`: of rows and columns by all numbers; it is copied.
+  /// `all`: of rows and columns by all numbers.
   ReducedEntries(const Numbering& numbering, SparsePattern all);
 
   /// Of the rows and columns of all numbers.

@@ -36,6 +36,7 @@ struct SurfaceLines {
   /// the mean of their radii, where it is the change of their area by the radius: of straight edges
   /// between nodes at angles theta, R sin theta [length].
   double length = 0;
+  double circumference = 0;  ///< of whole circles at the mean of their radii; 0: straight lines
 };
 
 /// In the plane the surface is a single line. Circles may be closed. Throws InputError where a node
