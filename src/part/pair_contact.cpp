@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -15,6 +16,7 @@
 #include "part/pairs.hpp"
 #include "part/rolling_scene.hpp"
 #include "part/surfaces.hpp"
+#include "part/tracks.hpp"
 
 namespace gnomon::part {
 
@@ -27,12 +29,15 @@ std::vector<Surface<dim>> surfaces_of(const Scene& scene, const ImportedBody<dim
       for (const auto& facet : *side) touching.try_emplace(sorted(facet), facet);
   std::vector<Surface<dim>> surfaces = wearing_surfaces(scene, part);
   for (Surface<dim>& surface : surfaces) {
-    std::erase_if(surface.facets,
-                  [&](const auto& facet) { return touching.erase(sorted(facet)) == 0; });
-    if (surface.facets.empty())
+    Facets<dim> touches;
+    std::ranges::copy_if(surface.facets, std::back_inserter(touches),
+                         [&](const auto& facet) { return touching.erase(sorted(facet)) > 0; });
+    if (touches.empty())
       throw InputError(
           fmt::format("{}: expected surfaces that touch another body, \"{}\" faces none",
                       scene.where("wear.on"), surface.name));
+    // A track wears alike all along, also where nothing can touch it.
+    if (!is_track(scene, surface.name)) surface.facets = std::move(touches);
   }
   Surface<dim> others{.name = "", .facets = {}, .wear = {}, .wears = false};
   for (const auto& [nodes, facet] : touching) others.facets.push_back(facet);

@@ -14,8 +14,8 @@ namespace gnomon::part {
 template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts);
 
-/// What touches, as surfaces: those that wear by name, and the rest. Throws InputError where one
-/// that wears faces no other body.
+/// What touches, as surfaces: those that wear by name, and the rest; of tracks the whole. Throws
+/// InputError where one that wears faces no other body.
 template <int dim>
 std::vector<Surface<dim>> surfaces_of(const Scene& scene, const ImportedBody<dim>& part,
                                       const std::vector<MortarPair<dim>>& pairs);

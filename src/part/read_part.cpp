@@ -172,7 +172,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   const std::optional<CyclicMotion<dim>> cycle =
       parts.cycle ? std::optional(parts.cycle->motion) : std::nullopt;
   if (cycle && !parts.interface.sticks) require_gross_sliding(scene, *cycle, parts);
-  require_lines(scene, part, parts);
+  require_lines(scene, parts);
   const ShapeSupport<dim> support =
       read_shape_support(scene, part, wearing(parts.interface.surfaces),
                          bonded_facets(parts.mesh, parts.bodies), magnitudes.deepest);

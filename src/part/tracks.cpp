@@ -12,7 +12,6 @@
 #include "mesh/facet_table.hpp"
 #include "part/body_motions.hpp"
 #include "part/facing_facets.hpp"
-#include "part/groups.hpp"
 
 namespace gnomon::part {
 
@@ -97,6 +96,10 @@ void require_own_nodes(const Scene& scene, const Surface<dim>& surface,
 
 }  // namespace
 
+bool is_track(const Scene& scene, const std::string& surface) {
+  return scene.given(path_key(surface));
+}
+
 void refuse_track(const Scene& scene, const std::string& surface) {
   if (scene.given(path_key(surface)))
     throw unfit_track(scene, surface,
@@ -155,19 +158,12 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
 }
 
 template <int dim>
-void require_lines(const Scene& scene, const ImportedBody<dim>& part,
-                   const AssemblyParts<dim>& parts) {
+void require_lines(const Scene& scene, const AssemblyParts<dim>& parts) {
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.track) continue;
     const auto refuse = [&](const std::string& expected) {
       return unfit_track(scene, surface.name, expected);
     };
-    const auto& group = group_facets(scene, "wear.on", surface.name, part);
-    if (group.size() != surface.facets.size())
-      throw refuse(
-          fmt::format("expected a surface that takes part in the contact as a whole, {} "
-                      "facets, got {} of them",
-                      group.size(), surface.facets.size()));
     require_own_nodes(scene, surface, parts);
     SurfaceLines lines;
     try {
@@ -263,8 +259,8 @@ template std::optional<Track<2>> read_track(const Scene&, const Surface<2>&,
                                             const AssemblyParts<2>&);
 template std::optional<Track<3>> read_track(const Scene&, const Surface<3>&,
                                             const AssemblyParts<3>&);
-template void require_lines(const Scene&, const ImportedBody<2>&, const AssemblyParts<2>&);
-template void require_lines(const Scene&, const ImportedBody<3>&, const AssemblyParts<3>&);
+template void require_lines(const Scene&, const AssemblyParts<2>&);
+template void require_lines(const Scene&, const AssemblyParts<3>&);
 template void require_receding_tracks(const Scene&, const AssemblyParts<2>&);
 template void require_receding_tracks(const Scene&, const AssemblyParts<3>&);
 template std::vector<std::string> remarks_on_tracks(const Magnitudes&, const AssemblyParts<2>&);

@@ -1,7 +1,6 @@
 // Surfaces that wear by the mean along a track: wear.surfaces.NAME.path.
 #pragma once
 
-#include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/model/magnitudes.hpp>
 #include <gnomon/scene/scene.hpp>
@@ -10,6 +9,9 @@
 #include <vector>
 
 namespace gnomon::part {
+
+/// Whether the scene gives the surface a path.
+bool is_track(const Scene& scene, const std::string& surface);
 
 /// Without pairs: throws InputError where the scene gives the surface a path.
 void refuse_track(const Scene& scene, const std::string& surface);
@@ -20,11 +22,10 @@ template <int dim>
 std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& surface,
                                      const AssemblyParts<dim>& parts);
 
-/// Throws InputError where the nodes of a track do not lie on lines along it, the mesh is longer
-/// than the path, or a part of the surface does not take part in the contact.
+/// Throws InputError where the nodes of a track do not lie on lines along it, or the mesh is longer
+/// than the path.
 template <int dim>
-void require_lines(const Scene& scene, const ImportedBody<dim>& part,
-                   const AssemblyParts<dim>& parts);
+void require_lines(const Scene& scene, const AssemblyParts<dim>& parts);
 
 /// Throws InputError where sides hold the shape of a line across the surface.
 template <int dim>

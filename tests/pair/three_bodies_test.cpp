@@ -1,4 +1,4 @@
-// A body between two others.
+// A body between two others, and one whose track passes below two others.
 
 #include <cmath>
 #include <map>
@@ -83,6 +83,98 @@ TEST_F(ThreeBodies, ARollerWearsOnBothSides) {
   const double a = std::sqrt(4 * 200 * 5 * 2 * (1 - 0.09) / (M_PI * 2e5));
   EXPECT_NEAR(observed(*model, run.states.front(), "max_pressure") * M_PI * a / (2 * 200), 1, 0.1);
   EXPECT_FALSE(value_of(model->observe(run.last()), "contact_half_width"));
+}
+
+/// A ring of radius 20 below a shoe, and above a narrower one.
+constexpr const char* drum_geometry = R"(
+f = 1;
+Point(1) = {0, 0, 0};
+Point(2) = {20, 0, 0, f}; Point(3) = {0, 20, 0, f}; Point(4) = {-20, 0, 0, f};
+Point(5) = {0, -20, 0, f};
+Circle(1) = {2, 1, 3}; Circle(2) = {3, 1, 4}; Circle(3) = {4, 1, 5}; Circle(4) = {5, 1, 2};
+Point(6) = {14, 0, 0, 3}; Point(7) = {0, 14, 0, 3}; Point(8) = {-14, 0, 0, 3};
+Point(9) = {0, -14, 0, 3};
+Circle(5) = {6, 1, 7}; Circle(6) = {7, 1, 8}; Circle(7) = {8, 1, 9}; Circle(8) = {9, 1, 6};
+Curve Loop(1) = {1 : 4}; Curve Loop(2) = {5 : 8}; Plane Surface(1) = {1, 2};
+Point(10) = {-5, 20, 0, f}; Point(11) = {5, 20, 0, f}; Point(12) = {5, 26, 0, f};
+Point(13) = {-5, 26, 0, f};
+Line(10) = {10, 11}; Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 10};
+Curve Loop(3) = {10 : 13}; Plane Surface(2) = {3};
+Point(20) = {-4, -20, 0, f}; Point(21) = {4, -20, 0, f}; Point(22) = {4, -26, 0, f};
+Point(23) = {-4, -26, 0, f};
+Line(20) = {20, 21}; Line(21) = {21, 22}; Line(22) = {22, 23}; Line(23) = {23, 20};
+Curve Loop(4) = {20 : 23}; Plane Surface(3) = {4};
+Physical Surface("drum") = {1}; Physical Surface("upper") = {2}; Physical Surface("lower") = {3};
+Physical Curve("rim") = {1 : 4}; Physical Curve("hub") = {5 : 8};
+Physical Curve("upper pad") = {10}; Physical Curve("top") = {12};
+Physical Curve("lower pad") = {20}; Physical Curve("bottom") = {22};
+Physical Curve("sides") = {11, 13, 21, 23};
+)";
+
+constexpr const char* drum_scene = R"(
+problem = "worn_body"
+[mesh]
+file = "drum.geo"
+[[body]]
+name = "drum"
+young_modulus = 2e6
+poisson_ratio = 0.3
+[[body]]
+name = "upper"
+young_modulus = 3e5
+poisson_ratio = 0.3
+[[body]]
+name = "lower"
+young_modulus = 3e5
+poisson_ratio = 0.3
+[[pair]]
+bodies = ["upper", "drum"]
+[[pair]]
+bodies = ["lower", "drum"]
+[[motion]]
+body = "drum"
+rotation = 20.0
+center = [0.0, 0.0]
+[[support]]
+on = "hub"
+[[support]]
+on = "sides"
+directions = ["x"]
+[[load]]
+on = "top"
+force = [0.0, -100.0]
+[[load]]
+on = "bottom"
+force = [0.0, 150.0]
+[wear]
+on = ["upper pad", "lower pad", "rim"]
+[wear.surfaces."upper pad"]
+coefficient = 1e-8
+[wear.surfaces."lower pad"]
+coefficient = 2e-8
+[wear.surfaces.rim]
+coefficient = 1e-7
+path = 125.6637
+[time]
+end = 1e4
+)";
+
+// By k F v t, and what the rim loses under each shoe is what this loses by the ratio of their k.
+TEST_F(ThreeBodies, TwoShoesWearOneDrum) {
+  folder_.write("drum.geo", drum_geometry);
+  const auto model = this->model(drum_scene, {});
+  const State end = run_model(*model, "esdirk-3", 0, 1e-3, 1e4).last();
+  const double drum = observed(*model, end, "worn_volume_drum"),
+               upper = observed(*model, end, "worn_volume_upper"),
+               lower = observed(*model, end, "worn_volume_lower");
+  EXPECT_NEAR(drum / (10 * upper + 5 * lower), 1, 5e-5);
+  // Pressures on the arcs of the pads sum up to more than the forces, by 1 % at the end.
+  const double time = 1e4, radius = 20 - 1e-7 * 250 * 20 * time / (2 * M_PI),
+               speed = 20 * (20 + radius) / 2;
+  EXPECT_NEAR(drum / (M_PI * (400 - radius * radius)), 1, 0.01);
+  EXPECT_NEAR(upper / (1e-8 * 100 * speed * time), 1, 0.01);
+  EXPECT_NEAR(lower / (2e-8 * 150 * speed * time), 1, 0.01);
+  EXPECT_LT(model->examine(end).lost_wear, 1e-12);
 }
 
 }  // namespace
