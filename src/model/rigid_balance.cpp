@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "model/bring_together.hpp"
@@ -109,18 +110,22 @@ public:
     return true;
   }
 
-  /// Where the stiffness is that of a load on a pendulum far longer than the bodies: the motion.
-  std::string neutral(double depth, LoadTime at) {
-    constexpr double nearly = 0.03;
+  /// At the start: the motion with the least stiffness, as a part of that of the load on a pendulum
+  /// as long as the bodies.
+  struct Softest {
+    double stiffness;
+    std::string motion;
+  };
+  Softest softest_motion(double depth) {
     constexpr double far =
         0.5;  // of the depth, so that facets at the edges do not count one by one
     const FoundationLaw law{stiffness_, smoothing * depth};
-    const Eigen::MatrixXd K = stiffness(resultant(law, at), law, far * depth, at);
+    const Eigen::MatrixXd K = stiffness(resultant(law, {}), law, far * depth, {});
     const Eigen::EigenSolver<Eigen::MatrixXd> modes(K);  // friction: it is not symmetric
     Eigen::Index least = 0;
     modes.eigenvalues().real().minCoeff(&least);
-    if (modes.eigenvalues()[least].real() > nearly * load(at) / size_) return {};
-    return described(twists(modes.eigenvectors().col(least).real()));
+    return {modes.eigenvalues()[least].real() * size_ / load({}),
+            described(twists(modes.eigenvectors().col(least).real()))};
   }
   /// The last motion of bodies that did not come to rest.
   std::string last_motion() const { return described(last_); }
@@ -257,15 +262,18 @@ bool wedged(const AssemblyParts<dim>& parts) {
 namespace {
 
 /// Brings bodies to rest at the start, on softer foundations first: deep contact is wide on any
-/// mesh, and says what rolls, but what stands on an edge may fall over. Returns the motion that
-/// nothing determines, or nothing, and the depth of the softest foundation.
+/// mesh, and says what rolls, whatever the foundation is; but what stands on a narrow surface may
+/// fall over, and stands on stiffer ones. Returns the motion that nothing determines, or nothing,
+/// and the depth of the softest foundation.
 template <int dim>
 std::pair<std::string, double> start(Settling<dim>& settling, const Scales& scales) {
+  constexpr double nearly = 0.03;  // as a load on a pendulum far longer than the bodies
   const double size = settling.size(), mesh = settling.facet_size();
   // Facets that are deep in each other do not face each other.
   const double least = std::min(scales.displacement, 2e-3 * size);
   double depth =
       std::max(least, std::min(0.1 * size, std::max(0.02 * size, 8 * mesh * mesh / size)));
+  std::optional<double> before;  // stiffness of what is not yet determined
   for (double softest = 0;; depth = std::max(least, depth / 4)) {
     const bool last = depth <= least;
     if (!settling.settle(depth, scales.stress, {})) {
@@ -274,9 +282,12 @@ std::pair<std::string, double> start(Settling<dim>& settling, const Scales& scal
       continue;
     }
     if (softest == 0) {
-      softest = depth;
-      if (const std::string motion = settling.neutral(depth, {}); !motion.empty())
+      const auto [stiffness, motion] = settling.softest_motion(depth);
+      if (stiffness > nearly)
+        softest = depth;
+      else if (last || (before && stiffness < *before + nearly))
         return {motion, softest};
+      before = stiffness;
     }
     if (last) return {"", softest};
   }

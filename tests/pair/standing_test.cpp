@@ -1,0 +1,78 @@
+// Slender bodies that stand on narrow surfaces, which softer ones would let fall over.
+
+#include "part/part_scene.hpp"
+
+namespace gnomon::standing_test {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+/// A column of width 1.5 and height 6, guided at its top, on a plate; its foot is flat, or round.
+std::string column(double bulge) {
+  return "bulge = " + std::to_string(bulge) + R"(;
+Point(1) = {-0.75, 0, 0, 0.3}; Point(2) = {0.75, 0, 0, 0.3}; Point(3) = {0.75, 6, 0, 0.5};
+Point(4) = {-0.75, 6, 0, 0.5}; Point(5) = {0, -bulge, 0, 0.3};
+Spline(1) = {1, 5, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};
+Point(11) = {-3, -0.4, 0, 0.4}; Point(12) = {3, -0.4, 0, 0.4}; Point(13) = {3, -3, 0, 1};
+Point(14) = {-3, -3, 0, 1};
+Line(11) = {11, 14}; Line(12) = {14, 13}; Line(13) = {13, 12}; Line(14) = {12, 11};
+Curve Loop(11) = {11 : 14}; Plane Surface(11) = {11};
+Physical Surface("column") = {1}; Physical Surface("plate") = {11};
+Physical Curve("foot") = {1}; Physical Curve("top") = {3}; Physical Curve("base") = {12};
+)";
+}
+
+constexpr const char* scene = R"(
+problem = "worn_body"
+[mesh]
+file = "column.geo"
+[[body]]
+name = "column"
+young_modulus = 1e5
+poisson_ratio = 0.3
+[[body]]
+name = "plate"
+young_modulus = 2e5
+poisson_ratio = 0.3
+[[pair]]
+bodies = ["column", "plate"]
+[[motion]]
+body = "plate"
+velocity = [0.0, 0.0, 100.0]
+[[support]]
+on = "base"
+[[support]]
+on = "top"
+directions = ["x"]
+[[load]]
+on = "top"
+force = [0.0, -100.0]
+[wear]
+on = "foot"
+coefficient = 1e-8
+[time]
+end = 100.0
+)";
+
+class Standing : public PartScenes {};
+
+// A foundation under a width w gives way by c: it holds the column upright where w^2 / (12 c) is
+// more than the height.
+TEST_F(Standing, AColumnStandsOnItsFlatFoot) {
+  folder_.write("column.geo", column(0));
+  const auto model = this->model(scene);
+  Counters counters;
+  const State start = model->start(counters);
+  EXPECT_NEAR(observed(*model, start, "contact_force"), 100, 0.01);
+  EXPECT_GE(observed(*model, start, "contact_nodes"), 6);
+}
+
+TEST_F(Standing, ARoundFootRollsOver) {
+  folder_.write("column.geo", column(0.3));
+  EXPECT_THAT(refusal(scene), HasSubstr("\"column\" can turn about"));
+}
+
+}  // namespace
+}  // namespace gnomon::standing_test
