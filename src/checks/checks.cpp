@@ -81,6 +81,12 @@ std::vector<std::string> doubts(const Examination& facts) {
         fmt::format("the weight of what has worn off is {:.2g} of the contact force, and still "
                     "acts: an acceleration has the mass of the unworn bodies",
                     facts.stale_weight));
+  if (!facts.touched_end.empty())
+    found.push_back(
+        fmt::format("contact reaches an end of the mesh of \"{}\", which is a piece of its track: "
+                    "shapes and pressures are wrong, unless this is a plane of symmetry; a longer "
+                    "mesh is needed",
+                    facts.touched_end));
   if (facts.lost_wear > lost)
     found.push_back(
         fmt::format("{:.2g} of the wear of a body is at contact nodes whose shape is held, and is "

@@ -244,12 +244,11 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   const auto place = [&](int node) { return coordinates.place(at(node)); };
   const auto sort = [&](std::vector<int>& line) { std::ranges::sort(line, {}, place); };
   const Neighbours<dim> neighbours(facets);
-  bool closed = false;
   if (along.centre) {
     sort(lines.nodes.front());
     const int first = neighbours.beginning(lines.nodes.front());
-    closed = first < 0;
-    if (!closed) coordinates.begin_at(at(first));
+    lines.closed = first < 0;
+    if (!lines.closed) coordinates.begin_at(at(first));
   }
   std::ranges::for_each(lines.nodes, sort);
   if (along.centre) require_arcs(mesh, lines, neighbours, *along.centre, coordinates);
@@ -257,7 +256,7 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   const double low = place(*first), high = place(*last);
   lines.length = high - low;
   const auto is_broken = [&](const std::vector<int>& line) {
-    if (closed) return neighbours.beginning(line) >= 0;
+    if (lines.closed) return neighbours.beginning(line) >= 0;
     return std::max(place(line.front()) - low, high - place(line.back())) > rounding * size;
   };
   auto broken = std::ranges::find_if(lines.nodes, is_broken);
@@ -265,7 +264,7 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
     if (!along.centre) return lines;
     points.clear();
     for (const int node : lines.nodes.front()) points.push_back(at(node));
-    lines.length = coordinates.length_of(points, closed);
+    lines.length = coordinates.length_of(points, lines.closed);
     lines.circumference = coordinates.circumference();
     return lines;
   }

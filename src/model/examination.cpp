@@ -14,6 +14,7 @@
 #include "model/observed_rolling.hpp"
 #include "model/resultants.hpp"
 #include "model/sliding_error.hpp"
+#include "model/tracks.hpp"
 
 namespace gnomon {
 
@@ -220,6 +221,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   facts.body_turn = find_body_turn(equations_, values);
   facts.moved_axis = find_moved_axis(equations_, values, contacts);
   facts.unseen_sliding = find_unseen_sliding(equations_, values, contacts);
+  facts.touched_end = find_touched_end(assembly(), contacts);
   facts.lost_wear = find_lost_wear(assembly(), contacts);
   if (std::ranges::any_of(assembly().loads, [](const Load<dim>& load) { return load.weight > 0; }))
     facts.stale_weight = find_stale_weight(assembly().loads, state.t, observe(state));

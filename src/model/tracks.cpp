@@ -1,5 +1,6 @@
 #include "model/tracks.hpp"
 
+#include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <numeric>
 #include <optional>
@@ -164,6 +165,28 @@ std::vector<double> worn_beyond_mesh(const Assembly<dim>& assembly, const NodalF
   return result;
 }
 
+template <int dim>
+std::string find_touched_end(const Assembly<dim>& assembly,
+                             const std::vector<PhaseContact<dim>>& contacts) {
+  const auto touches = [&](int node) {
+    const auto c = static_cast<std::size_t>(assembly.contact_node(node));
+    return std::ranges::any_of(contacts,
+                               [&](const PhaseContact<dim>& at) { return at.nodes[c].active; });
+  };
+  for (const Surface<dim>& surface : assembly.interface.surfaces) {
+    if (!surface.track) continue;
+    const auto& [along, path] = *surface.track;
+    const SurfaceLines lines = lines_of_surface(assembly.mesh, surface.facets, along);
+    if (!lines.closed && std::ranges::any_of(lines.nodes, [&](const std::vector<int>& line) {
+          return touches(line.front()) || touches(line.back());
+        }))
+      return surface.name;
+  }
+  return "";
+}
+
+template std::string find_touched_end(const Assembly<2>&, const std::vector<PhaseContact<2>>&);
+template std::string find_touched_end(const Assembly<3>&, const std::vector<PhaseContact<3>>&);
 template SharedShape<2> shared_shape(const AssemblyParts<2>&, const std::vector<ContactPatch<2>>&);
 template SharedShape<3> shared_shape(const AssemblyParts<3>&, const std::vector<ContactPatch<3>>&);
 template std::vector<double> worn_beyond_mesh(const Assembly<2>&, const NodalField<2>&);

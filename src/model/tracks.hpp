@@ -2,7 +2,9 @@
 // shape.
 #pragma once
 
-#include <gnomon/model/assembly.hpp>
+#include <gnomon/model/wear_model.hpp>
+#include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -20,6 +22,11 @@ struct SharedShape {
 template <int dim>
 SharedShape<dim> shared_shape(const AssemblyParts<dim>& parts,
                               const std::vector<ContactPatch<dim>>& patches);
+
+/// The surface whose contact, in some phase, reaches an end of the mesh of its track; empty: none.
+template <int dim>
+std::string find_touched_end(const Assembly<dim>& assembly,
+                             const std::vector<PhaseContact<dim>>& contacts);
 
 /// By body: what the rest of their tracks, of which the mesh is a part, has lost [volume].
 template <int dim>

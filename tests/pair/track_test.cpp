@@ -2,6 +2,7 @@
 // plane and in space.
 
 #include <cmath>
+#include <gnomon/checks/checks.hpp>
 #include <gnomon/model/gap_motion.hpp>
 
 #include "support/problem_run.hpp"
@@ -321,6 +322,27 @@ TEST(Track, OfUniformPressureWearsAsWithoutOne) {
   }
 }
 
+/// Of a flat block above a track, whose left end is at 0.
+template <int dim>
+std::string touched_end(double from) {
+  const TwoBodies pair{.upper = {.along = 2, .high = 1, .across = 1, .from = from, .to = 1.5},
+                       .lower = {.along = 5, .high = 1, .across = 2}};
+  const WearModel<dim> wear(
+      std::make_shared<const Assembly<dim>>(with_track(two_bodies<dim>(pair), "lower top", 20)));
+  const Model& model = wear;
+  Counters counters;
+  return model.examine(model.start(counters)).touched_end;
+}
+
+TEST(Track, WhoseEndIsTouchedIsTold) {
+  EXPECT_EQ(touched_end<2>(0.5), "");
+  EXPECT_EQ(touched_end<2>(0), "lower top");
+  EXPECT_EQ(touched_end<3>(0.5), "");
+  EXPECT_EQ(touched_end<3>(0), "lower top");
+  Examination facts{.touched_end = "rim"};
+  EXPECT_THAT(doubts(facts), Contains(HasSubstr("contact reaches an end of the mesh of \"rim\"")));
+}
+
 constexpr const char* scene = "worn_body/pin_on_track.toml";
 
 TEST(TrackScene, ThePinAndTheDiscLoseWhatTheirLawsSay) {
@@ -351,6 +373,7 @@ TEST(TrackScene, ARingBelowABlockLosesItsRadius) {
   EXPECT_NEAR(observed(*model, end, "worn_volume_block") / (2e-9 * force * rate * time * start),
               (1 + radius / start) / 2, 1e-3);
   EXPECT_LT(model->examine(end).lost_wear, 1e-12);
+  EXPECT_EQ(model->examine(end).touched_end, "");
   const ContactSurface surface = model->contact(end).value();
   const auto top =
       std::ranges::max_element(surface.initial, {}, [](const auto& x) { return x[1]; });

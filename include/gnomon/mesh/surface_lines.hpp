@@ -37,6 +37,7 @@ struct SurfaceLines {
   /// between nodes at angles theta, R sin theta [length].
   double length = 0;
   double circumference = 0;  ///< of whole circles at the mean of their radii; 0: straight lines
+  bool closed = false;       ///< whole circles, which have no ends
 };
 
 /// In the plane the surface is a single line. Circles may be closed. Throws InputError where a node
