@@ -59,6 +59,10 @@ Key friction_factor_key() {
                   "those of the slave) and of tables");
 }
 
+bool reads_in_friction(const Scene& scene, const std::string& name) {
+  return scene.knows(key) && scene.given(key) && tokens_in(scene.text(key)).contains(name);
+}
+
 template <int dim>
 FrictionFactor read_friction_factor(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (!scene.given(key)) return {};

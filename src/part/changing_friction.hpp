@@ -3,10 +3,14 @@
 
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <string>
 
 namespace gnomon::part {
 
 Key friction_factor_key();
+
+/// Whether the scene gives a factor that reads a variable.
+bool reads_in_friction(const Scene& scene, const std::string& name);
 
 /// By what the coefficients of friction are multiplied where contact may stick. `parts` are
 /// complete but for it. Throws InputError.

@@ -118,10 +118,10 @@ std::vector<Key> shared_keys() {
       key.absent_meaning = "that of counter_body.motion, or of [[motion]], at the contact";
       key.help = "sliding speed that s = v t is counted with";
       key.idle = [](const Scene& scene) {
-        return reads_in_rates(scene, "s") ? ""
+        return reads_in_rates(scene, "s") || reads_in_friction(scene, "s") ? ""
                : has_pairs(scene)
-                   ? "[[motion]] gives the speed, and no wear rate reads s"
-                   : "the motion of the counter-body gives the speed, and no wear rate reads s";
+                   ? "[[motion]] gives the speed, and nothing reads s"
+                   : "the motion of the counter-body gives the speed, and nothing reads s";
       };
     }
     if (key.name == "wear.coefficient") key.range.min = 0;  // a contact analysis

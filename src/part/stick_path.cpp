@@ -8,7 +8,9 @@
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <utility>
 
+#include "part/changing_friction.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 
@@ -191,8 +193,11 @@ void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (!parts.cycle)
     refuse_path(scene, "also [cycle], by which it is driven to and fro, or [rolling]");
   require_damping(scene);
-  if (*parts.interface.speed == 0 && reads_in_rates(scene, "s"))
-    refuse(scene, "wear.rate", "no sliding distance s, or also wear.velocity: no motion gives it");
+  if (*parts.interface.speed == 0)
+    for (const auto& [key, reads] : {std::pair("wear.rate", reads_in_rates(scene, "s")),
+                                     std::pair("friction.factor", reads_in_friction(scene, "s"))})
+      if (reads)
+        refuse(scene, key, "no sliding distance s, or also wear.velocity: no motion gives it");
   if (!(parts.interface.friction > 0) ||
       std::ranges::any_of(parts.pairs, [](const auto& pair) { return !(pair.friction > 0); }))
     refuse(scene, "friction.coefficient",

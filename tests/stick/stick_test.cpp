@@ -369,6 +369,8 @@ TEST_F(Fretting, WhatDoesNotGoTogetherIsRefused) {
   expect_refused(cylinder(), {"counter_body.press.1.cycle=\"sin(2*pi*tau)\""}, "above zero");
   expect_refused(cylinder(), {"friction.stick=false"}, "expected friction.stick = true");
   expect_refused(cylinder(), {"wear.rate=\"k*p*v*exp(-s)\""}, "expected no sliding distance s");
+  expect_refused(cylinder(), {"friction.factor=\"1+s\""},
+                 "friction.factor: expected no sliding distance s");
 }
 
 /// The start loads by what presses, then by the other forces of the begin of the path; the cycle is
