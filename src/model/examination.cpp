@@ -226,9 +226,12 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (std::ranges::any_of(assembly().loads, [](const Load<dim>& load) { return load.weight > 0; }))
     facts.stale_weight = find_stale_weight(assembly().loads, state.t, observe(state));
   if (assembly().interface.sticks) {
-    facts.stick_area = cycle_of_slip(assembly(), contacts).stick_area;
+    const CycleOfSlip slip = cycle_of_slip(assembly(), contacts);
+    facts.stick_area = slip.stick_area;
+    const std::vector<PlaceAndForce<dim>> loop = this->loop(values, state.t, contacts);
+    if (is_rubbed(assembly(), loop)) facts.slip_zone = width_of_slip_zone(assembly(), slip.holds);
     if (!assembly().cycle->motion.cycle.rotation)
-      for (const PlaceAndForce<dim>& at : loop(values, state.t, contacts))
+      for (const PlaceAndForce<dim>& at : loop)
         facts.turn = std::max(facts.turn, std::abs(at.angle));
   }
   if (assembly().interface.rolling) {

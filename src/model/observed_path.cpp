@@ -1,6 +1,7 @@
 #include "model/observed_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/processes.hpp>
 
 #include "mesh/facet_table.hpp"
@@ -139,39 +140,63 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
                           const std::vector<PhaseContact<dim>>& phases) {
   constexpr double creeping = 1e-3;  // of the longest path: a node at its limit of friction
   CycleOfSlip result;
-  std::vector<double> paths, areas;  // of the nodes that touch
-  for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c) {
+  std::vector<double> paths(assembly.contact_nodes.size(), 0);
+  result.holds.assign(paths.size(), Hold::open);
+  for (std::size_t c = 0; c < paths.size(); ++c) {
     if (!assembly.carries[c]) continue;
-    double path = 0;
-    bool touches = false;
     for (std::size_t p = 0; p < phases.size(); ++p) {
       const ContactNode<dim>& now = phases[p].nodes[c];
       const ContactNode<dim>& before = phases[(p + phases.size() - 1) % phases.size()].nodes[c];
-      touches = touches || now.active;
+      if (now.active) result.holds[c] = Hold::slips;
       if (now.sticks || !(now.active || before.active)) continue;
-      path += now.slip.norm();
+      paths[c] += now.slip.norm();
       result.work -= assembly.copies * now.area * now.friction * now.slip.norm() *
                      (now.traction + before.traction) / 2;
     }
-    if (!touches) continue;
-    paths.push_back(path);
-    areas.push_back(assembly.copies * phases.front().nodes[c].area);
-    result.path = std::max(result.path, path);
+    if (result.holds[c] != Hold::open) result.path = std::max(result.path, paths[c]);
   }
   result.path = largest_over_processes(result.path);
   constexpr double rounding = 1e-9;
   const double least = rounding * assembly.interface.friction * assembly.scales.displacement;
-  for (std::size_t k = 0; k < paths.size(); ++k)
-    if (paths[k] <= std::max(creeping * result.path, least)) result.stick_area += areas[k];
-  return {sum_over_processes(result.work), result.path, sum_over_processes(result.stick_area)};
+  for (std::size_t c = 0; c < paths.size(); ++c) {
+    if (result.holds[c] == Hold::open || paths[c] > std::max(creeping * result.path, least))
+      continue;
+    result.holds[c] = Hold::sticks;
+    result.stick_area += assembly.copies * phases.front().nodes[c].area;
+  }
+  result.work = sum_over_processes(result.work);
+  result.stick_area = sum_over_processes(result.stick_area);
+  return result;
+}
+
+namespace {
+
+/// What is not along the approach of the first pair, or of the counter-body.
+template <int dim>
+Vector<dim> tangential(const Assembly<dim>& assembly, const Vector<dim>& v) {
+  const Vector<dim>& normal = assembly.pairs.empty() ? assembly.interface.partner.approach
+                                                     : assembly.pairs.front().approach;
+  return v - normal * normal.dot(v);
+}
+
+}  // namespace
+
+template <int dim>
+bool is_rubbed(const Assembly<dim>& assembly, const std::vector<PlaceAndForce<dim>>& loop) {
+  constexpr double little = 1e-3;
+  const double friction = assembly.interface.friction * assembly.copies * assembly.scales.force,
+               size = assembly.scales.displacement;
+  return std::ranges::any_of(loop, [&](const PlaceAndForce<dim>& at) {
+    const Vector<dim> change = tangential<dim>(assembly, at.contact - loop.front().contact);
+    return change.norm() > little * friction ||
+           std::abs(at.moment - loop.front().moment) > little * friction * size;
+  });
 }
 
 template <int dim>
 void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<dim>>& phases,
                   const std::vector<PlaceAndForce<dim>>& loop, int units, Observation& observed) {
-  const Vector<dim>& normal = assembly.pairs.empty() ? assembly.interface.partner.approach
-                                                     : assembly.pairs.front().approach;
-  const auto along = [&](const Vector<dim>& v) { return (v - normal * normal.dot(v)).norm(); };
+  const auto along = [&](const Vector<dim>& v) { return tangential(assembly, v).norm(); };
   double stroke = 0, force = 0, twist = 0, moment = 0;
   for (const PlaceAndForce<dim>& at : loop) {
     force = std::max(force, along(at.contact));
@@ -194,6 +219,8 @@ void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<
 
 template std::optional<AxisOfPath<2>> axis_of_path(const Assembly<2>&);
 template std::optional<AxisOfPath<3>> axis_of_path(const Assembly<3>&);
+template bool is_rubbed(const Assembly<2>&, const std::vector<PlaceAndForce<2>>&);
+template bool is_rubbed(const Assembly<3>&, const std::vector<PlaceAndForce<3>>&);
 template void add_friction(const std::vector<ContactNode<2>>&, ContactSurface&);
 template void add_friction(const std::vector<ContactNode<3>>&, ContactSurface&);
 template CycleOfSlip cycle_of_slip(const Assembly<2>&, const std::vector<PhaseContact<2>>&);

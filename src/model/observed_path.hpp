@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/slip_zone.hpp"
+
 namespace gnomon {
 
 /// What the slip of a path makes in a cycle, of the whole body.
@@ -12,6 +14,7 @@ struct CycleOfSlip {
   double work = 0;  ///< of friction, at the mean pressure of neighbouring phases [force length]
   double path = 0;  ///< the longest of a node [length]
   double stick_area = 0;  ///< of nodes that touch and slip by less than 1e-3 of it [length^(dim-1)]
+  std::vector<Hold> holds{};  ///< by contact node
 };
 template <int dim>
 CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
@@ -25,6 +28,10 @@ struct AxisOfPath {
 };
 template <int dim>
 std::optional<AxisOfPath<dim>> axis_of_path(const Assembly<dim>& assembly);
+
+/// Whether friction changes over the loop, beyond rounding.
+template <int dim>
+bool is_rubbed(const Assembly<dim>& assembly, const std::vector<PlaceAndForce<dim>>& loop);
 
 /// Appends friction_work, slip_path, stick_area, stroke and friction_force, and where the
 /// counter-body turns twist and friction_moment. `units`: the dimension

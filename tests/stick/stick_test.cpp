@@ -7,7 +7,9 @@ namespace gnomon::stick_test {
 namespace {
 
 using namespace testing;
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A stiff body on springs kt per area slides by U - f p / kt of an amplitude U: 4 k p N of it
 /// wears off in N cycles.
@@ -347,6 +349,38 @@ TEST_F(Fretting, AForceThatFrictionDoesNotBalanceIsRefused) {
   const std::string reason = failed_start(cylinder(), {"counter_body.press.2.force=13.0"});
   EXPECT_THAT(reason, HasSubstr("friction does not balance"));
   EXPECT_THAT(reason, HasSubstr("tau = 0.25"));
+}
+
+/// How many elements slip beside what sticks, with this part of the force that friction holds.
+class SlipZone : public Fretting {
+protected:
+  std::optional<int> width(double part) {
+    const auto model = this->model(cylinder(), {fmt::format("counter_body.press.2.force={}",
+                                                            part * Cattaneo::f * Cattaneo::P)});
+    Counters counters;
+    return model->examine(model->start(counters)).slip_zone;
+  }
+  static double elements(double part) {
+    constexpr double element = 0.045 / 18;
+    return Cattaneo::a() * (1 - std::sqrt(1 - part)) / element;
+  }
+};
+
+TEST_F(SlipZone, IsThatOfCattaneo) {
+  EXPECT_NEAR(width(0.6).value(), elements(0.6), 1);
+  EXPECT_NEAR(width(0.3).value(), elements(0.3), 1);
+}
+
+TEST_F(SlipZone, NarrowerThanElementsIsTold) {
+  ASSERT_LT(elements(0.01), 0.1);
+  EXPECT_EQ(width(0.01), 0);
+  EXPECT_EQ(width(1e-5), std::nullopt);  // nothing drives it
+  Examination facts{.slip_zone = 0};
+  EXPECT_THAT(doubts(facts), Contains(HasSubstr("no contact node slips")));
+  facts.slip_zone = 2;
+  EXPECT_THAT(doubts(facts), Contains(HasSubstr("is 2 elements wide")));
+  facts.slip_zone = 3;
+  EXPECT_THAT(doubts(facts), Not(Contains(HasSubstr("wide"))));
 }
 
 TEST_F(Fretting, WhatDoesNotGoTogetherIsRefused) {

@@ -105,6 +105,8 @@ struct Examination {
   std::optional<GapError> gap_error{};            ///< where wear is a gap
   /// Where friction may stick: CycleOfSlip::stick_area.
   double stick_area = 0;
+  /// There, if friction changes over the cycle: width_of_slip_zone().
+  std::optional<int> slip_zone{};
   /// There, the largest angle of a counter-body that a moment turns [rad].
   double turn = 0;
   /// In rolling: PowerOfRolling::upwind by dissipated, and without_friction.
