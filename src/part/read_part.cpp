@@ -141,6 +141,8 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   if (parts.interface.sticks) {
     require_path(scene, parts);
     parts.interface.memory_follows = memory_follows(scene);
+    if (std::string remark = remark_on_friction(parts, scene.real("time.end")); !remark.empty())
+      parts.remarks.push_back(std::move(remark));
     if (std::string history = history_that_matters(parts); !history.empty())
       parts.proposals.push_back(std::move(history));
     AssemblyParts<dim> slow = parts;

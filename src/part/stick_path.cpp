@@ -8,6 +8,7 @@
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <set>
 #include <utility>
 
 #include "part/changing_friction.hpp"
@@ -170,6 +171,63 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
 
 namespace {
 
+/// What presses the free counter-body at a time: across the surface, and along it [force].
+template <int dim>
+std::pair<double, double> forces_at(const AssemblyParts<dim>& parts, const Phase<dim>& phase,
+                                    double t) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  const std::vector<std::optional<double>> forces = phase.forces();
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const Guide<dim>& guide = phase.counter_body.guides[k];
+    const LoadHistory& history = k == 0 ? parts.interface.history : guide.factors;
+    if (forces[k] && !guide.turns()) sum += *forces[k] * history.factor(t) * guide.along;
+  }
+  const Vector<dim>& approach = parts.interface.partner.approach;
+  return {sum.dot(approach), (sum - sum.dot(approach) * approach).norm()};
+}
+
+}  // namespace
+
+template <int dim>
+std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration) {
+  if (!parts.pairs.empty() || parts.interface.friction_factor.varies() ||
+      !parts.phases.front().force)
+    return "";
+  const double friction = parts.interface.friction;
+  std::set<double> times = {0, duration};
+  const auto add = [&](const LoadHistory& history) {
+    for (const double t : history.times())
+      if (t > 0 && t < duration) times.insert(t);
+  };
+  add(parts.interface.history);
+  for (const Guide<dim>& guide : parts.interface.partner.guides) add(guide.factors);
+  const auto slides = [&](const Phase<dim>& phase, double t) {
+    const auto [across, along] = forces_at(parts, phase, t);
+    return along > friction * across && along > 0;
+  };
+  double before = 0;
+  for (const double t : times) {
+    for (const Phase<dim>& phase : parts.phases) {
+      if (!slides(phase, t)) continue;
+      constexpr int halvings = 30;  // histories are straight between these times
+      double first = t;
+      for (int k = 0; k < halvings; ++k) {
+        const double middle = (before + first) / 2;
+        (slides(phase, middle) ? first : before) = middle;
+      }
+      const auto [across, along] = forces_at(parts, phase, first);
+      return fmt::format(
+          "at t = {:.4g} s and tau = {:.4g} the force along the surface is {:.4g}, and friction "
+          "holds {:.4g}: the counter-body has no place there, unless its shape holds it",
+          first, phase.position, along, friction * std::max(0.0, across));
+    }
+    before = t;
+  }
+  return "";
+}
+
+namespace {
+
 const Integrator& integrator_of(const Scene& scene) {
   return Registry<Integrator>::find(scene.text("integrator.name"), "integrator");
 }
@@ -215,6 +273,8 @@ template AssemblyParts<3> with_chosen_path(const Scene&,
                                            const std::function<AssemblyParts<3>(long)>&);
 template double speed_on_path(const AssemblyParts<2>&, const Magnitudes&);
 template double speed_on_path(const AssemblyParts<3>&, const Magnitudes&);
+template std::string remark_on_friction(const AssemblyParts<2>&, double);
+template std::string remark_on_friction(const AssemblyParts<3>&, double);
 template void require_path(const Scene&, const AssemblyParts<2>&);
 template void require_path(const Scene&, const AssemblyParts<3>&);
 

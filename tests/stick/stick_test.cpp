@@ -351,6 +351,15 @@ TEST_F(Fretting, AForceThatFrictionDoesNotBalanceIsRefused) {
   EXPECT_THAT(reason, HasSubstr("tau = 0.25"));
 }
 
+// Cattaneo::ratio of the force along the surface needs as much of the normal force.
+TEST_F(Fretting, ANormalForceThatBecomesTooSmallIsTold) {
+  const Overrides history = {"counter_body.press.1.times=[0.0, 500.0, 1000.0]",
+                             "counter_body.press.1.factors=[1.0, 0.5, 1.0]"};
+  EXPECT_THAT(model(cylinder(), history)->remarks,
+              Contains(HasSubstr("at t = 400 s and tau = 0.25 the force along the surface")));
+  EXPECT_THAT(model(cylinder())->remarks, Not(Contains(HasSubstr("force along the surface"))));
+}
+
 /// How many elements slip beside what sticks, with this part of the force that friction holds.
 class SlipZone : public Fretting {
 protected:
