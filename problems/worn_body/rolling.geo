@@ -1,6 +1,6 @@
-// The neighbourhood of a contact as a half-plane, 40 mm x 20 mm, that a roller passes: a rectangle of equal elements where
+// The neighbourhood of a contact as a half-plane, 120 mm x 60 mm, that a roller passes: a rectangle of equal elements where
 // it touches, and graded layers around it. Lengths in mm. `n` elements over half of the rectangle, `m` layers.
-b = 0.45; w = 20; n = 30; m = 18; r = 1.3;
+b = 0.45; w = 60; n = 30; m = 22; r = 1.3;
 Point(1) = {-b, 0, 0}; Point(2) = {-b, -b, 0}; Point(3) = {b, -b, 0}; Point(4) = {b, 0, 0};
 Point(5) = {-w, 0, 0}; Point(6) = {-w, -w, 0}; Point(7) = {w, -w, 0}; Point(8) = {w, 0, 0};
 Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
