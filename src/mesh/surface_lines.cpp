@@ -183,19 +183,39 @@ InputError broken_line(const Streamlines<dim>& along, double whole, const Vector
       point_text<dim>(start), length));
 }
 
-/// Up to nodes in the middle of chords, as those of subdivided cells.
+/// How far nodes on chords, as those of cells that were subdivided twice, may lie within a circle.
+template <int dim>
+double depth_of_chords(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
+                       double radius) {
+  constexpr double margin = 1.2, halvings = 2;
+  double longest = 0;
+  for (const auto& facet : facets)
+    for (const int node : facet)
+      longest = std::max(longest, edge(mesh, facet.front(), node).norm());
+  const double chord = std::exp2(halvings) * longest;
+  return margin * chord * chord / (8 * radius);
+}
+
+template <int dim>
+double shortest_edge(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& facet : facets)
+    for (std::size_t k = 0; k < facet.size(); ++k)
+      shortest = std::min(shortest, edge(mesh, facet[k], facet[(k + 1) % facet.size()]).norm());
+  return shortest;
+}
+
+/// Up to nodes on chords.
 template <int dim>
 void require_circle(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
                     const Vector<dim>& centre) {
-  constexpr double rounding = 1e-6, margin = 1.2;
-  double least = std::numeric_limits<double>::infinity(), most = 0, longest = 0;
-  for (const auto& facet : facets)
-    for (const int node : facet) {
-      const double radius = (mesh.nodes[static_cast<std::size_t>(node)] - centre).norm();
-      least = std::min(least, radius), most = std::max(most, radius);
-      longest = std::max(longest, edge(mesh, facet.front(), node).norm());
-    }
-  if (most - least > rounding * most + margin * longest * longest / (2 * most))
+  constexpr double rounding = 1e-6;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const int node : nodes_of_facets(facets)) {
+    const double radius = (mesh.nodes[static_cast<std::size_t>(node)] - centre).norm();
+    least = std::min(least, radius), most = std::max(most, radius);
+  }
+  if (most - least > rounding * most + depth_of_chords(mesh, facets, most))
     throw InputError(
         fmt::format("expected a surface whose nodes lie on a circle about {}, but their distances "
                     "from there are {:.6g} to {:.6g} mm",
@@ -236,21 +256,35 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   double size = 0;
   for (const Vector<dim>& x : points) size = std::max(size, (x - points.front()).norm());
   LineCoordinates<dim> coordinates(along, points);
-  SurfaceLines lines{.nodes = {{nodes.begin(), nodes.end()}}};
-  for (int i = 0; i < dim; ++i)
-    if (dim == 3 || !along.centre)
-      lines.nodes = divided(lines.nodes, rounding * size,
-                            [&](int node) { return coordinates.across(at(node))[i]; });
+  const auto lines_within = [&](double tolerance) {
+    Groups groups = {{nodes.begin(), nodes.end()}};
+    for (int i = 0; i < dim; ++i)
+      if (dim == 3 || !along.centre)
+        groups =
+            divided(groups, tolerance, [&](int node) { return coordinates.across(at(node))[i]; });
+    return groups;
+  };
   const auto place = [&](int node) { return coordinates.place(at(node)); };
   const auto sort = [&](std::vector<int>& line) { std::ranges::sort(line, {}, place); };
   const Neighbours<dim> neighbours(facets);
-  if (along.centre) {
-    sort(lines.nodes.front());
-    const int first = neighbours.beginning(lines.nodes.front());
-    lines.closed = first < 0;
-    if (!lines.closed) coordinates.begin_at(at(first));
+  SurfaceLines lines;
+  const auto arrange = [&](double tolerance) {
+    lines.nodes = lines_within(tolerance);
+    if (along.centre) {
+      sort(lines.nodes.front());
+      const int first = neighbours.beginning(lines.nodes.front());
+      lines.closed = first < 0;
+      if (!lines.closed) coordinates.begin_at(at(first));
+    }
+    std::ranges::for_each(lines.nodes, sort);
+  };
+  arrange(rounding * size);
+  if (dim == 3 && along.centre &&
+      !std::ranges::all_of(lines.nodes, [&](const auto& line) { return neighbours.join(line); })) {
+    constexpr double apart = 0.25;  // of edges: other circles are farther away
+    arrange(std::min(depth_of_chords(mesh, facets, coordinates.circumference() / (2 * M_PI)),
+                     apart * shortest_edge(mesh, facets)));
   }
-  std::ranges::for_each(lines.nodes, sort);
   if (along.centre) require_arcs(mesh, lines, neighbours, *along.centre, coordinates);
   const auto [first, last] = std::ranges::minmax_element(nodes, {}, place);
   const double low = place(*first), high = place(*last);

@@ -37,6 +37,35 @@ TEST(SurfaceLines, AreCircles) {
   EXPECT_THROW(lines_of_ring(3, {Vector<3>::UnitX()}), InputError);
 }
 
+/// A rim of radius 20 and a face beside it, 4 elements round about by 3 across, subdivided twice:
+/// new nodes lie on the chords of what was there before.
+SurfaceLines lines_of_subdivided(bool face, int halvings, double across) {
+  const Mesh<3> mesh =
+      structured_hexahedra(4 << halvings, 3 << halvings, 1, [&](double s, double t, double z) {
+        const double place = 4 * s, whole = std::min(3.0, std::floor(place)), part = place - whole,
+                     from = 0.1 * whole, to = 0.1 * (whole + 1);
+        const auto at = [&](double r, double height) {
+          return Vector<3>((1 - part) * r * std::cos(from) + part * r * std::cos(to),
+                           (1 - part) * r * std::sin(from) + part * r * std::sin(to), height);
+        };
+        return face ? at(20 + across * t, z) : at(20 + z, across * t);
+      });
+  return lines_of_surface<3>(mesh, mesh.boundary.at("top"),
+                             {Vector<3>::UnitZ(), Vector<3>::Zero()});
+}
+
+TEST(SurfaceLines, AreCirclesWithNodesOnChords) {
+  for (const bool face : {false, true})
+    for (const int halvings : {1, 2}) {
+      const SurfaceLines lines = lines_of_subdivided(face, halvings, 3);
+      EXPECT_EQ(lines.nodes.size(), std::size_t(3 << halvings) + 1);
+      for (const std::vector<int>& line : lines.nodes)
+        EXPECT_EQ(line.size(), std::size_t(4 << halvings) + 1);
+    }
+  // Circles nearer to each other than chords are deep are not taken for one.
+  EXPECT_THROW(lines_of_subdivided(true, 1, 0.05), InputError);
+}
+
 TEST(SurfaceLines, MayBeClosed) {
   Mesh<3> mesh;
   constexpr int around = 8;
