@@ -257,6 +257,23 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   return report;
 }
 
+namespace {
+
+/// Of a body that only contact with the counter-body holds in more than the direction of the load.
+template <int dim>
+std::string hint_of_free_motions(const Assembly<dim>& assembly) {
+  if (!assembly.pairs.empty()) return "";
+  for (const RigidPart<dim>& part : rigid_parts(assembly, assembly.mesh.nodes))
+    if (part.loose.cols() > 1)
+      return fmt::format(
+          "; supports leave the body free to {}, and contact with a counter-body may not hold it: "
+          "hold it in [[support]], or make the counter-body one of a [[pair]], whose rest is found",
+          free_motions_of(part, assembly.section()));
+  return "";
+}
+
+}  // namespace
+
 /// A part of the load has an equilibrium, so that the body is sound and the load too large for it;
 /// or none has.
 template <int dim>
@@ -269,8 +286,8 @@ std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
   const char* technology = technology_names[static_cast<std::size_t>(element.technology)];
   if (ramp.reached == 0)
     return fmt::format(
-        "no equilibrium was found {}{} not even of a small part of the load (element {}): {}", when,
-        assembly.cycle ? "" : ",", technology, ramp.reason);
+        "no equilibrium was found {}{} not even of a small part of the load (element {}): {}{}",
+        when, assembly.cycle ? "" : ",", technology, ramp.reason, hint_of_free_motions(assembly));
   return fmt::format(
       "the load or approach {} is more than {}: the load ramp found equilibria up to load fraction "
       "{:.4g}, and none beyond (element {}): {}",

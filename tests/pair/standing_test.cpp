@@ -74,5 +74,34 @@ TEST_F(Standing, ARoundFootRollsOver) {
   EXPECT_THAT(refusal(scene), HasSubstr("\"column\" can turn about"));
 }
 
+// Friction tilts it on a rigid cylinder, where no rest is looked for.
+TEST_F(Standing, WhatIsFreeOnACounterBodyIsNamed) {
+  folder_.write("block.geo", R"(
+Point(1) = {-0.75, 0, 0, 0.3}; Point(2) = {0.75, 0, 0, 0.3}; Point(3) = {0.75, 6, 0, 0.5};
+Point(4) = {-0.75, 6, 0, 0.5};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};
+Physical Surface("block") = {1}; Physical Curve("foot") = {1}; Physical Curve("top") = {3};
+)");
+  const auto model = this->model(R"(
+problem = "worn_body"
+mesh.file = "block.geo"
+body = { young_modulus = 2e4, poisson_ratio = 0.3 }
+support = [ { on = "top", directions = ["x"] } ]
+load = [ { on = "top", force = [0.0, -20.0] } ]
+counter_body = { shape = "cylinder", center = [0.0, -20.0], radius = 20.0, motion = { rotation = 10.0 } }
+friction.coefficient = 0.2
+wear = { on = ["foot"], coefficient = 1e-8 }
+time.end = 100.0
+)");
+  Counters counters;
+  try {
+    model->start(counters);
+    FAIL() << "it has come to rest";
+  } catch (const SolutionError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("supports leave the body free to move along y and turn"));
+  }
+}
+
 }  // namespace
 }  // namespace gnomon::standing_test
