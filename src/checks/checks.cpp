@@ -113,8 +113,8 @@ std::vector<std::string> doubts(const Examination& facts) {
   if (facts.slip_zone && *facts.slip_zone <= narrow)
     found.push_back(
         *facts.slip_zone == 0
-            ? "no contact node slips, and nothing wears: beside contact that sticks a zone slips "
-              "that is narrower than an element; a finer mesh at the edges of contact shows it"
+            ? "no contact node slips, and nothing wears: where pressure falls to zero at the edges "
+              "of contact, a zone slips that is narrower than an element; a finer mesh shows it"
             : fmt::format("the zone that slips beside contact that sticks is {} element{} wide: "
                           "friction work and wear are wrong by about 30 % with 2 of them, 5 % with "
                           "3, and mean little with 1; a finer mesh at the edges of contact helps",

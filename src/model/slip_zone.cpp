@@ -18,13 +18,14 @@ std::optional<int> width_of_slip_zone(const Assembly<dim>& assembly,
   std::vector<char> is_reached(holds.size(), 0);
   for (std::size_t c = 0; c < holds.size(); ++c)
     if (holds[c] == Hold::sticks) reached.push_back(c), is_reached[c] = 1;
+  const bool slips = std::ranges::find(holds, Hold::slips) != holds.end();
   for (int width = 0;; ++width) {
     std::vector<std::size_t> next;
     for (const std::size_t c : reached)
       for (const std::size_t other : beside[c])
         if (holds[other] == Hold::slips && !is_reached[other])
           next.push_back(other), is_reached[other] = 1;
-    if (next.empty()) return width;
+    if (next.empty()) return width == 0 && slips ? std::nullopt : std::optional(width);
     reached = std::move(next);
   }
 }

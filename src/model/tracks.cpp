@@ -168,6 +168,7 @@ std::vector<double> worn_beyond_mesh(const Assembly<dim>& assembly, const NodalF
 template <int dim>
 std::string find_touched_end(const Assembly<dim>& assembly,
                              const std::vector<PhaseContact<dim>>& contacts) {
+  constexpr double rounding = 1e-6;
   const auto touches = [&](int node) {
     const auto c = static_cast<std::size_t>(assembly.contact_node(node));
     return std::ranges::any_of(contacts,
@@ -177,7 +178,8 @@ std::string find_touched_end(const Assembly<dim>& assembly,
     if (!surface.track) continue;
     const auto& [along, path] = *surface.track;
     const SurfaceLines lines = lines_of_surface(assembly.mesh, surface.facets, along);
-    if (!lines.closed && std::ranges::any_of(lines.nodes, [&](const std::vector<int>& line) {
+    if (!lines.closed && path > (1 + rounding) * lines.length &&
+        std::ranges::any_of(lines.nodes, [&](const std::vector<int>& line) {
           return touches(line.front()) || touches(line.back());
         }))
       return surface.name;

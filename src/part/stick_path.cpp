@@ -8,6 +8,8 @@
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -171,19 +173,39 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
 
 namespace {
 
-/// What presses the free counter-body at a time: across the surface, and along it [force].
+/// What presses the free counter-body at a time, on the straight lines of histories that are valid
+/// after `within`: across the surface, and along it [force].
 template <int dim>
 std::pair<double, double> forces_at(const AssemblyParts<dim>& parts, const Phase<dim>& phase,
-                                    double t) {
+                                    double t, double within) {
   Vector<dim> sum = Vector<dim>::Zero();
   const std::vector<std::optional<double>> forces = phase.forces();
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const Guide<dim>& guide = phase.counter_body.guides[k];
     const LoadHistory& history = k == 0 ? parts.interface.history : guide.factors;
-    if (forces[k] && !guide.turns()) sum += *forces[k] * history.factor(t) * guide.along;
+    if (forces[k] && !guide.turns()) sum += *forces[k] * history.factor(t, within) * guide.along;
   }
   const Vector<dim>& approach = parts.interface.partner.approach;
   return {sum.dot(approach), (sum - sum.dot(approach) * approach).norm()};
+}
+
+/// When they are first more than friction holds between two times with straight histories.
+template <int dim>
+std::optional<double> first_excess(const AssemblyParts<dim>& parts, const Phase<dim>& phase,
+                                   double from, double to) {
+  constexpr int halvings = 30;
+  const auto is_more = [&](double t) {
+    const auto [across, along] = forces_at(parts, phase, t, from);
+    return along > 0 && along > parts.interface.friction * across;
+  };
+  if (is_more(from)) return from;
+  if (!is_more(to)) return {};
+  double before = from, first = to;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = (before + first) / 2;
+    (is_more(middle) ? first : before) = middle;
+  }
+  return first;
 }
 
 }  // namespace
@@ -193,7 +215,6 @@ std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration)
   if (!parts.pairs.empty() || parts.interface.friction_factor.varies() ||
       !parts.phases.front().force)
     return "";
-  const double friction = parts.interface.friction;
   std::set<double> times = {0, duration};
   const auto add = [&](const LoadHistory& history) {
     for (const double t : history.times())
@@ -201,27 +222,18 @@ std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration)
   };
   add(parts.interface.history);
   for (const Guide<dim>& guide : parts.interface.partner.guides) add(guide.factors);
-  const auto slides = [&](const Phase<dim>& phase, double t) {
-    const auto [across, along] = forces_at(parts, phase, t);
-    return along > friction * across && along > 0;
-  };
-  double before = 0;
-  for (const double t : times) {
-    for (const Phase<dim>& phase : parts.phases) {
-      if (!slides(phase, t)) continue;
-      constexpr int halvings = 30;  // histories are straight between these times
-      double first = t;
-      for (int k = 0; k < halvings; ++k) {
-        const double middle = (before + first) / 2;
-        (slides(phase, middle) ? first : before) = middle;
-      }
-      const auto [across, along] = forces_at(parts, phase, first);
-      return fmt::format(
-          "at t = {:.4g} s and tau = {:.4g} the force along the surface is {:.4g}, and friction "
-          "holds {:.4g}: the counter-body has no place there, unless its shape holds it",
-          first, phase.position, along, friction * std::max(0.0, across));
-    }
-    before = t;
+  for (auto from = times.begin(), to = std::next(from); to != times.end(); ++from, ++to) {
+    std::optional<double> first;
+    const Phase<dim>* where = nullptr;
+    for (const Phase<dim>& phase : parts.phases)
+      if (const auto t = first_excess(parts, phase, *from, *to); t && !(first && *first <= *t))
+        first = t, where = &phase;
+    if (!first) continue;
+    const auto [across, along] = forces_at(parts, *where, *first, *from);
+    return fmt::format(
+        "at t = {:.4g} s and tau = {:.4g} the force along the surface is {:.4g}, and friction "
+        "holds {:.4g}: the counter-body has no place there, unless its shape holds it",
+        *first, where->position, along, parts.interface.friction * std::max(0.0, across));
   }
   return "";
 }

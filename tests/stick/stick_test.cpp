@@ -358,6 +358,9 @@ TEST_F(Fretting, ANormalForceThatBecomesTooSmallIsTold) {
   EXPECT_THAT(model(cylinder(), history)->remarks,
               Contains(HasSubstr("at t = 400 s and tau = 0.25 the force along the surface")));
   EXPECT_THAT(model(cylinder())->remarks, Not(Contains(HasSubstr("force along the surface"))));
+  const Overrides jump = {"counter_body.press.1.times=[0.0, 500.0, 500.0]",
+                          "counter_body.press.1.factors=[1.0, 0.5, 1.0]"};
+  EXPECT_THAT(model(cylinder(), jump)->remarks, Contains(HasSubstr("at t = 400 s and tau = 0.25")));
 }
 
 /// How many elements slip beside what sticks, with this part of the force that friction holds.
