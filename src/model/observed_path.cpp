@@ -156,7 +156,7 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
     if (result.holds[c] != Hold::open) result.path = std::max(result.path, paths[c]);
   }
   result.path = largest_over_processes(result.path);
-  constexpr double rounding = 1e-9;
+  constexpr double rounding = 1e-6;
   const double least = rounding * assembly.interface.friction * assembly.scales.displacement;
   for (std::size_t c = 0; c < paths.size(); ++c) {
     if (result.holds[c] == Hold::open || paths[c] > std::max(creeping * result.path, least))
@@ -184,12 +184,13 @@ Vector<dim> tangential(const Assembly<dim>& assembly, const Vector<dim>& v) {
 template <int dim>
 bool is_rubbed(const Assembly<dim>& assembly, const std::vector<PlaceAndForce<dim>>& loop) {
   constexpr double little = 1e-3;
-  const double friction = assembly.interface.friction * assembly.copies * assembly.scales.force,
-               size = assembly.scales.displacement;
+  const Scales& scales = assembly.scales;
+  const double area = scales.force / scales.stress, arm = dim == 2 ? area : std::sqrt(area),
+               friction = assembly.interface.friction * assembly.copies * scales.force;
   return std::ranges::any_of(loop, [&](const PlaceAndForce<dim>& at) {
     const Vector<dim> change = tangential<dim>(assembly, at.contact - loop.front().contact);
     return change.norm() > little * friction ||
-           std::abs(at.moment - loop.front().moment) > little * friction * size;
+           std::abs(at.moment - loop.front().moment) > little * friction * arm;
   });
 }
 

@@ -267,7 +267,9 @@ namespace {
 /// and the depth of the softest foundation.
 template <int dim>
 std::pair<std::string, double> start(Settling<dim>& settling, const Scales& scales) {
-  constexpr double nearly = 0.03;  // as a load on a pendulum far longer than the bodies
+  // As a load on a pendulum far longer than the bodies; what a foundation adds that is 4 times as
+  // stiff, and facets of what rolls do not.
+  constexpr double nearly = 0.03, firmer = 0.3;
   const double size = settling.size(), mesh = settling.facet_size();
   // Facets that are deep in each other do not face each other.
   const double least = std::min(scales.displacement, 2e-3 * size);
@@ -279,13 +281,15 @@ std::pair<std::string, double> start(Settling<dim>& settling, const Scales& scal
     if (!settling.settle(depth, scales.stress, {})) {
       if (softest > 0 || last) return {settling.last_motion(), softest};
       settling.begin_again();
+      before.reset();
       continue;
     }
     if (softest == 0) {
       const auto [stiffness, motion] = settling.softest_motion(depth);
-      if (stiffness > nearly)
+      const bool grows = !before || stiffness > *before + firmer;
+      if (grows && stiffness > nearly)
         softest = depth;
-      else if (last || (before && stiffness < *before + nearly))
+      else if (last || !grows)
         return {motion, softest};
       before = stiffness;
     }

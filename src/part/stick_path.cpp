@@ -229,11 +229,10 @@ std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration)
       if (const auto t = first_excess(parts, phase, *from, *to); t && !(first && *first <= *t))
         first = t, where = &phase;
     if (!first) continue;
-    const auto [across, along] = forces_at(parts, *where, *first, *from);
     return fmt::format(
-        "at t = {:.4g} s and tau = {:.4g} the force along the surface is {:.4g}, and friction "
-        "holds {:.4g}: the counter-body has no place there, unless its shape holds it",
-        *first, where->position, along, parts.interface.friction * std::max(0.0, across));
+        "at t = {:.4g} s and tau = {:.4g} the force along the surface, {:.4g}, becomes more than "
+        "friction holds: the counter-body has no place there, unless its shape holds it",
+        *first, where->position, forces_at(parts, *where, *first, *from).second);
   }
   return "";
 }

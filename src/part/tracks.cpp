@@ -101,7 +101,7 @@ bool is_track(const Scene& scene, const std::string& surface) {
 }
 
 void refuse_track(const Scene& scene, const std::string& surface) {
-  if (scene.given(path_key(surface)))
+  if (is_track(scene, surface))
     throw unfit_track(scene, surface,
                       "expected none beside a rigid counter-body: a track is worn by a body of a "
                       "[[pair]], or in [rolling]; a groove under a rigid ball is problem = "
@@ -112,14 +112,15 @@ template <int dim>
 std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& surface,
                                      const AssemblyParts<dim>& parts) {
   const std::string key = path_key(surface.name);
+  const bool is_given = is_track(scene, surface.name);
   const auto& rolling = parts.interface.rolling;
   const bool on_rigid = rolling && parts.pairs.empty();
-  if (!scene.given(key) && rolling)
+  if (!is_given && rolling)
     throw InputError((on_rigid ? scene.where("rolling.velocity") : scene.path().string()) +
                      ": expected also " + key +
                      ", the length that passes the contact in a turn: what rolls wears alike all "
                      "along it");
-  if (!scene.given(key)) return {};
+  if (!is_given) return {};
   if (!(scene.real(key) > 0))
     throw unfit_track(scene, surface.name,
                       fmt::format("expected the length of the whole track, of which the mesh is a "

@@ -92,6 +92,7 @@ TEST_F(Fretting, NothingWearsBelowIncipientSliding) {
   const auto model = this->model(bed("x = \"0.0008 * sin(2*pi*tau)\""));
   const ModelRun run = run_model(*model, "bdf", 0, 1e-4, 1e6);
   EXPECT_LT(std::abs(observed(*model, run.last(), "worn_volume")), 1e-15);
+  EXPECT_EQ(model->examine(run.last()).slip_zone, 0);  // rounding does not slip
 }
 
 /// A rotation slips by the arcs of the surface.
@@ -380,7 +381,7 @@ protected:
 
 TEST_F(SlipZone, IsThatOfCattaneo) {
   EXPECT_NEAR(width(0.6).value(), elements(0.6), 1);
-  EXPECT_NEAR(width(0.3).value(), elements(0.3), 1);
+  EXPECT_NEAR(width(0.9).value(), elements(0.9), 1);
 }
 
 TEST_F(SlipZone, NarrowerThanElementsIsTold) {
