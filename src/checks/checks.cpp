@@ -38,7 +38,7 @@ std::string point_text(const std::array<double, 3>& x) {
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
                    wedged = 50, lost = 0.02, stale = 0.01, inside = 1e-3, renewed = 0.02,
-                   blind = 1e-3, turned = 0.02, displaced = 0.02, small = 0.01;
+                   blind = 1e-3, turned = 0.02, displaced = 0.02, small = 0.01, worn = 0.02;
   constexpr int narrow = 2;
   std::vector<std::string> found;
   // Over a cycle all of them may cancel out.
@@ -129,6 +129,12 @@ std::vector<std::string> doubts(const Examination& facts) {
         fmt::format("in rolling {:.2g} of the power of friction comes from differences along the "
                     "velocity, not from what drives it: it needs a finer mesh there",
                     facts.upwind_power));
+  if (facts.worn_radius > worn)
+    found.push_back(fmt::format(
+        "{:.2g} % of the radius of a roller with this path has worn off, and path and curvature "
+        "are still those of the scene: unless the rate reads the depth (docs/rolling.md) it is too "
+        "small by about {:.2g} %",
+        100 * facts.worn_radius, 50 * facts.worn_radius));
   if (facts.overlap > inside * facts.size)
     found.push_back(fmt::format(
         "the counter-body lies {:.3g} mm inside the unloaded bodies and cannot give way: they are "

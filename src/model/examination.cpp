@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <gnomon/model/examination.hpp>
 #include <gnomon/model/gap_motion.hpp>
 #include <gnomon/model/magnitudes.hpp>
@@ -190,6 +191,19 @@ double find_lost_wear(const Assembly<dim>& assembly,
   return most;
 }
 
+/// `depth`: by contact node.
+template <int dim>
+double find_worn_radius(const Assembly<dim>& assembly, const std::vector<double>& depth) {
+  double most = 0;
+  for (const Surface<dim>& surface : assembly.interface.surfaces)
+    if (surface.track)
+      for (const auto& facet : surface.facets)
+        for (const int node : facet)
+          most = std::max(most, depth[static_cast<std::size_t>(assembly.contact_node(node))] * 2 *
+                                    M_PI / surface.track->path);
+  return most;
+}
+
 template <int dim>
 double find_stale_weight(const std::vector<Load<dim>>& loads, double t,
                          const Observation& observed) {
@@ -242,6 +256,10 @@ Examination WearModel<dim>::examine(const State& state) const {
     constexpr double rounding = 1e-9;
     if (power.dissipated > rounding * sliding) facts.upwind_power = power.upwind / power.dissipated;
     facts.without_friction = power.without_friction;
+    std::vector<double> depth;
+    for (std::size_t c = 0; c < assembly().contact_nodes.size(); ++c)
+      depth.push_back(wear_depth(c, values.vector(equations_.fields().d)));
+    facts.worn_radius = find_worn_radius(assembly(), depth);
   }
   facts.deformation = assembly().scales.displacement;
   facts.force = assembly().copies * assembly().scales.force;

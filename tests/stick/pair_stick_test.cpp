@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <gnomon/checks/checks.hpp>
 
 #include "stick/stick_scenes.hpp"
 #include "support/fretting_loop.hpp"
@@ -13,6 +14,7 @@ namespace gnomon::pair_stick_test {
 namespace {
 
 using namespace testing;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 
 /// A cap of a cylinder of 6 mm radius on a block, without common points: where they touch, squares
@@ -649,6 +651,9 @@ TEST_F(PairRolling, TheSquareOfTheRadiusFallsSteadily) {
                                         fmt::format("wear.surfaces.face.path={:.17g}", path)});
     const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, time);
     EXPECT_NEAR(observed(*model, run.last(), "wear_depth") / expected, 1, 3e-3) << law;
+    const Examination facts = model->examine(run.last());
+    EXPECT_NEAR(facts.worn_radius, expected / R, 3e-3 * expected / R);
+    EXPECT_THAT(doubts(facts), Contains(HasSubstr("radius of a roller with this path has worn")));
   }
 }
 
