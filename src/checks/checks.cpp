@@ -132,8 +132,8 @@ std::vector<std::string> doubts(const Examination& facts) {
   if (facts.worn_radius > worn)
     found.push_back(fmt::format(
         "{:.2g} % of the radius of a roller with this path has worn off, and path and curvature "
-        "are still those of the scene: unless the rate reads the depth (docs/rolling.md) it is too "
-        "small by about {:.2g} %",
+        "are still those of the scene: unless the rate reads the depth (docs/rolling.md) the depth "
+        "is too small by about {:.2g} %",
         100 * facts.worn_radius, 50 * facts.worn_radius));
   if (facts.overlap > inside * facts.size)
     found.push_back(fmt::format(

@@ -183,11 +183,11 @@ InputError broken_line(const Streamlines<dim>& along, double whole, const Vector
       point_text<dim>(start), length));
 }
 
-/// How far nodes on chords, as those of cells that were subdivided twice, may lie within a circle.
+/// How far nodes on chords, as those of cells that were subdivided, may lie within a circle.
 template <int dim>
 double depth_of_chords(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>::Facet>& facets,
-                       double radius) {
-  constexpr double margin = 1.2, halvings = 2;
+                       double radius, int halvings) {
+  constexpr double margin = 1.2;
   double longest = 0;
   for (const auto& facet : facets)
     for (const int node : facet)
@@ -215,7 +215,7 @@ void require_circle(const Mesh<dim>& mesh, const std::vector<typename Mesh<dim>:
     const double radius = (mesh.nodes[static_cast<std::size_t>(node)] - centre).norm();
     least = std::min(least, radius), most = std::max(most, radius);
   }
-  if (most - least > rounding * most + depth_of_chords(mesh, facets, most))
+  if (most - least > rounding * most + depth_of_chords(mesh, facets, most, 1))
     throw InputError(
         fmt::format("expected a surface whose nodes lie on a circle about {}, but their distances "
                     "from there are {:.6g} to {:.6g} mm",
@@ -282,7 +282,7 @@ SurfaceLines lines_of_surface(const Mesh<dim>& mesh,
   if (dim == 3 && along.centre &&
       !std::ranges::all_of(lines.nodes, [&](const auto& line) { return neighbours.join(line); })) {
     constexpr double apart = 0.25;  // of edges: other circles are farther away
-    arrange(std::min(depth_of_chords(mesh, facets, coordinates.circumference() / (2 * M_PI)),
+    arrange(std::min(depth_of_chords(mesh, facets, coordinates.circumference() / (2 * M_PI), 2),
                      apart * shortest_edge(mesh, facets)));
   }
   if (along.centre) require_arcs(mesh, lines, neighbours, *along.centre, coordinates);
