@@ -12,6 +12,7 @@
 #include "model/bring_together.hpp"
 #include "model/rigid_balance.hpp"
 #include "part/facing_facets.hpp"
+#include "part/groups.hpp"
 #include "part/pair_cycle.hpp"
 #include "part/pairs.hpp"
 #include "part/rolling_scene.hpp"
