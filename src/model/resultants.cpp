@@ -128,6 +128,19 @@ std::vector<int> pair_of_slaves(const Assembly<dim>& assembly) {
 }  // namespace
 
 template <int dim>
+Vector<dim> pressing_force(const Phase<dim>& phase, const LoadHistory& first, double t,
+                           double within) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  const std::vector<std::optional<double>> forces = phase.forces();
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const Guide<dim>& guide = phase.counter_body.guides[k];
+    const LoadHistory& history = k == 0 ? first : guide.factors;
+    if (forces[k]) sum += *forces[k] * history.factor(t, within) * guide.along;
+  }
+  return sum;
+}
+
+template <int dim>
 Resultants<dim>::Resultants(WornBodyEquations<dim> equations)
     : equations_(std::move(equations)),
       all_(numbering_of(equations_, false)),
@@ -247,6 +260,8 @@ std::vector<Scalar> force_columns(const Assembly<dim>& assembly, const ForceBala
   return columns;
 }
 
+template Vector<2> pressing_force(const Phase<2>&, const LoadHistory&, double, double);
+template Vector<3> pressing_force(const Phase<3>&, const LoadHistory&, double, double);
 template class Resultants<2>;
 template class Resultants<3>;
 template std::vector<Scalar> force_columns(const Assembly<2>&, const ForceBalance&);

@@ -16,6 +16,12 @@ struct ForceBalance {
   double idle_load = 0;                   ///< Examination::idle_load
 };
 
+/// What presses a counter-body along the guides on which it is free, by straight lines of the
+/// histories that are valid after `within` [force]. `first`: the history of the first guide.
+template <int dim>
+Vector<dim> pressing_force(const Phase<dim>& phase, const LoadHistory& first, double t,
+                           double within);
+
 template <int dim>
 class Resultants {
 public:

@@ -66,13 +66,7 @@ Vector<dim> reaction_of(const Assembly<dim>& body, const Phase<dim>& phase,
                         const std::vector<ContactNode<dim>>& nodes, double t) {
   Vector<dim> reaction = Vector<dim>::Zero();
   for (const ContactNode<dim>& node : nodes) reaction -= node.force;
-  const std::vector<std::optional<double>> forces = phase.forces();
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    const Guide<dim>& guide = phase.counter_body.guides[k];
-    const LoadHistory& history = k == 0 ? body.interface.history : guide.factors;
-    if (forces[k]) reaction -= *forces[k] * history.factor(t) * guide.along;
-  }
-  return reaction;
+  return reaction - pressing_force(phase, body.interface.history, t, t);
 }
 
 template <int dim>

@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "model/resultants.hpp"
 #include "part/changing_friction.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
@@ -178,13 +179,7 @@ namespace {
 template <int dim>
 std::pair<double, double> forces_at(const AssemblyParts<dim>& parts, const Phase<dim>& phase,
                                     double t, double within) {
-  Vector<dim> sum = Vector<dim>::Zero();
-  const std::vector<std::optional<double>> forces = phase.forces();
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    const Guide<dim>& guide = phase.counter_body.guides[k];
-    const LoadHistory& history = k == 0 ? parts.interface.history : guide.factors;
-    if (forces[k] && !guide.turns()) sum += *forces[k] * history.factor(t, within) * guide.along;
-  }
+  const Vector<dim> sum = pressing_force(phase, parts.interface.history, t, within);
   const Vector<dim>& approach = parts.interface.partner.approach;
   return {sum.dot(approach), (sum - sum.dot(approach) * approach).norm()};
 }
