@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/processes.hpp>
+#include <gnomon/model/magnitudes.hpp>
 
 #include "mesh/facet_table.hpp"
 #include "model/connected_parts.hpp"
@@ -184,9 +185,8 @@ Vector<dim> tangential(const Assembly<dim>& assembly, const Vector<dim>& v) {
 template <int dim>
 bool is_rubbed(const Assembly<dim>& assembly, const std::vector<PlaceAndForce<dim>>& loop) {
   constexpr double little = 1e-3;
-  const Scales& scales = assembly.scales;
-  const double area = scales.force / scales.stress, arm = dim == 2 ? area : std::sqrt(area),
-               friction = assembly.interface.friction * assembly.copies * scales.force;
+  const double arm = contact_width<dim>(assembly.scales),
+               friction = assembly.interface.friction * assembly.copies * assembly.scales.force;
   return std::ranges::any_of(loop, [&](const PlaceAndForce<dim>& at) {
     const Vector<dim> change = tangential<dim>(assembly, at.contact - loop.front().contact);
     return change.norm() > little * friction ||

@@ -122,17 +122,6 @@ void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>&
 
 namespace {
 
-/// Half of the width of the contact, in space of a square [length].
-template <int dim>
-double half_width_of(const Scales& scales) {
-  const double area = scales.force / scales.stress;
-  return (dim == 2 ? area : std::sqrt(area)) / 2;
-}
-
-}  // namespace
-
-namespace {
-
 constexpr double near_axis = 1e-6;
 
 /// The axis along which a vector points, or -1.
@@ -236,7 +225,7 @@ void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
 template <int dim>
 double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
   const Rolling<dim>& rolling = *parts.interface.rolling;
-  const double half = half_width_of<dim>(expected.scales),
+  const double half = contact_width<dim>(expected.scales) / 2,
                shear = parts.interface.friction * expected.scales.displacement / half,
                given = rolling.creepage.norm() + half * rolling.spin.norm();
   return rolling.velocity.norm() * (given > 0 ? given : shear);
@@ -245,9 +234,9 @@ double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expec
 template <int dim>
 void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts) {
   for (Guide<dim>& guide : parts.interface.partner.guides)
-    if (guide.creeps()) guide.creep = half_width_of<dim>(expected.scales);
+    if (guide.creeps()) guide.creep = contact_width<dim>(expected.scales) / 2;
   parts.interface.rolling->creepage_scale =
-      expected.scales.displacement / half_width_of<dim>(expected.scales);
+      expected.scales.displacement / (contact_width<dim>(expected.scales) / 2);
 }
 
 template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&,

@@ -211,8 +211,7 @@ std::vector<std::string> remarks_on_tracks(const Magnitudes& expected,
                                            const AssemblyParts<dim>& parts) {
   constexpr double most = 0.9;
   std::vector<std::string> remarks;
-  const double area = expected.scales.force / expected.scales.stress,
-               contact = dim == 2 ? area : std::sqrt(area);
+  const double contact = contact_width<dim>(expected.scales);
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.track) continue;
     const auto& [along, path] = *surface.track;

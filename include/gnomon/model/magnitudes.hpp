@@ -1,6 +1,7 @@
 // Typical magnitudes of a run, found from the geometry, so that a scene need not give them.
 #pragma once
 
+#include <cmath>
 #include <gnomon/model/assembly.hpp>
 
 namespace gnomon {
@@ -27,6 +28,13 @@ struct Magnitudes {
   double slope = 0;          ///< of the worn surface at the end, about, if it is a parabola
   double thinning = 0;       ///< `deepest` by the size of the smallest body that wears
 };
+
+/// Typical width of the contact; in space of a square [length].
+template <int dim>
+double contact_width(const Scales& scales) {
+  const double area = scales.force / scales.stress;
+  return dim == 2 ? area : std::sqrt(area);
+}
 
 /// Of parts whose shape may not be known yet. Throws RecoverableError like wear_by_pressure().
 template <int dim>
