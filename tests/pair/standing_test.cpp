@@ -83,7 +83,7 @@ Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
 Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};
 Physical Surface("block") = {1}; Physical Curve("foot") = {1}; Physical Curve("top") = {3};
 )");
-  const auto model = this->model(R"(
+  const std::string failure = failed_start(R"(
 problem = "worn_body"
 mesh.file = "block.geo"
 body = { young_modulus = 2e4, poisson_ratio = 0.3 }
@@ -94,13 +94,7 @@ friction.coefficient = 0.2
 wear = { on = ["foot"], coefficient = 1e-8 }
 time.end = 100.0
 )");
-  Counters counters;
-  try {
-    model->start(counters);
-    FAIL() << "it has come to rest";
-  } catch (const SolutionError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("supports leave the body free to move along y and turn"));
-  }
+  EXPECT_THAT(failure, HasSubstr("supports leave the body free to move along y and turn"));
 }
 
 }  // namespace

@@ -62,6 +62,18 @@ protected:
     return "";
   }
 
+  /// The reason why a scene has no start; empty: it has one.
+  std::string failed_start(const std::string& text, const Overrides& overrides = {}) const {
+    const auto model = this->model(text, overrides);
+    Counters counters;
+    try {
+      model->start(counters);
+    } catch (const SolutionError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
   SceneFolder folder_;
 };
 

@@ -93,18 +93,6 @@ Physical Curve("bottom") = {1}; Physical Curve("top") = {3}; Physical Surface("b
     EXPECT_GT(of_twice, 0.01);
     EXPECT_NEAR(lost / of_twice, 2, 0.1);
   }
-  /// The reason why a scene has no start; empty: it has one.
-  std::string failed_start(const std::string& text, const Overrides& overrides) const {
-    const auto model = this->model(text, overrides);
-    Counters counters;
-    try {
-      model->start(counters);
-    } catch (const SolutionError& error) {
-      return error.what();
-    }
-    return "";
-  }
-
   /// Driven by a tangential force, or by what `cycle` says instead.
   static std::string cylinder(const std::string& drive = "", double nu = Cattaneo::nu) {
     const std::string force = fmt::format(
