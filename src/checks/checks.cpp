@@ -38,7 +38,8 @@ std::string point_text(const std::array<double, 3>& x) {
 std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
                    wedged = 50, lost = 0.02, stale = 0.01, inside = 1e-3, renewed = 0.02,
-                   blind = 1e-3, turned = 0.02, displaced = 0.02, small = 0.01, worn = 0.02;
+                   blind = 1e-3, turned = 0.02, displaced = 0.02, small = 0.01, worn = 0.02,
+                   undriven = 0.1;
   constexpr int narrow = 2;
   std::vector<std::string> found;
   // Over a cycle all of them may cancel out.
@@ -124,7 +125,13 @@ std::vector<std::string> doubts(const Examination& facts) {
         "its moment turns the counter-body by {:.2g} rad, and slip is of first order in "
         "it, so that about {:.1f} % of the slip is wrong: cycle.rotation is exact",
         facts.turn, 100 * facts.turn / 2));
-  if (std::abs(facts.upwind_power) > unbalanced)
+  if (std::abs(facts.power_by_driving - 1) > undriven)
+    found.push_back(fmt::format(
+        "in rolling friction of similar bodies dissipates {:.2g} times the power of what drives "
+        "them: pressures move along their surfaces, by the mesh, small blocks or strains (a finer "
+        "mesh there or larger blocks tell)",
+        facts.power_by_driving));
+  else if (std::abs(facts.upwind_power) > unbalanced)
     found.push_back(
         fmt::format("in rolling {:.2g} of the power of friction comes from differences along the "
                     "velocity, not from what drives it: it needs a finer mesh there",

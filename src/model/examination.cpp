@@ -16,6 +16,7 @@
 #include "model/resultants.hpp"
 #include "model/sliding_error.hpp"
 #include "model/tracks.hpp"
+#include "model/unlike_bodies.hpp"
 
 namespace gnomon {
 
@@ -214,6 +215,26 @@ double find_stale_weight(const std::vector<Load<dim>>& loads, double t,
   return force > 0 ? weight * volume / force : 0;
 }
 
+/// Where bodies roll.
+template <int dim>
+void examine_rolling(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
+                     const std::vector<PhaseContact<dim>>& contacts, Examination& facts) {
+  const Assembly<dim>& assembly = equations.assembly();
+  const std::vector<ContactNode<dim>>& nodes = contacts.front().nodes;
+  const PowerOfRolling power =
+      power_of_rolling(assembly, equations.moved_on_partner(values), nodes);
+  facts.without_friction = power.without_friction;
+  constexpr double similar = 0.01;
+  const double rounding =
+      1e-9 * assembly.copies * assembly.scales.force * assembly.interface.rolling->velocity.norm();
+  if (power.dissipated > rounding) facts.upwind_power = power.upwind / power.dissipated;
+  if (std::abs(dundurs_of(assembly.bodies, assembly.pairs)) < similar) {
+    const double driving = driving_power(assembly, nodes, equations.creepage(values));
+    if (std::max(driving, power.dissipated) > rounding)
+      facts.power_by_driving = power.dissipated / driving;
+  }
+}
+
 }  // namespace
 
 template <int dim>
@@ -249,13 +270,7 @@ Examination WearModel<dim>::examine(const State& state) const {
         facts.turn = std::max(facts.turn, std::abs(at.angle));
   }
   if (assembly().interface.rolling) {
-    const PowerOfRolling power =
-        power_of_rolling(assembly(), equations_.moved_on_partner(values), contacts.front().nodes);
-    const double sliding =
-        assembly().copies * assembly().scales.force * assembly().interface.rolling->velocity.norm();
-    constexpr double rounding = 1e-9;
-    if (power.dissipated > rounding * sliding) facts.upwind_power = power.upwind / power.dissipated;
-    facts.without_friction = power.without_friction;
+    examine_rolling(equations_, values, contacts, facts);
     std::vector<double> depth;
     for (std::size_t c = 0; c < assembly().contact_nodes.size(); ++c)
       depth.push_back(wear_depth(c, values.vector(equations_.fields().d)));

@@ -6,6 +6,15 @@
 
 namespace gnomon {
 
+namespace {
+
+template <int dim>
+Vector<dim> friction_on(const ContactNode<dim>& node) {
+  return node.force - node.area * node.traction * node.normal;
+}
+
+}  // namespace
+
 /// Material brings and takes as much elastic energy, so that contact forces have no power on it as
 /// it strains; so it is with differences by the nodes on both sides, not with those upwind.
 template <int dim>
@@ -18,7 +27,7 @@ PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<
     if (assembly.carries[c]) force -= nodes[c].area * nodes[c].traction;
   for (const Upstream& at : upstream_of(assembly)) {
     const ContactNode<dim>& node = nodes[static_cast<std::size_t>(assembly.contact_node(at.node))];
-    const Vector<dim> friction = node.force - node.area * node.traction * node.normal;
+    const Vector<dim> friction = friction_on(node);
     power.dissipated += assembly.copies * speed / at.distance * friction.dot(node.slip);
     for (const auto& [of, factor] : at.upwind)
       power.upwind += assembly.copies * speed * factor * friction.dot(moved.row(of).transpose());
@@ -27,6 +36,21 @@ PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<
   }
   power.without_friction = force > 0 ? 1 - rubbing / force : 0;
   return power;
+}
+
+template <int dim>
+double driving_power(const Assembly<dim>& assembly, const std::vector<ContactNode<dim>>& nodes,
+                     const Vector<dim>& creepage) {
+  const Rolling<dim>& rolling = *assembly.interface.rolling;
+  double power = 0;
+  for (const Upstream& at : upstream_of(assembly)) {
+    const Vector<dim> turned =
+        rolling.creepage_at(assembly.mesh.nodes[static_cast<std::size_t>(at.node)]) -
+        rolling.creepage;
+    const ContactNode<dim>& node = nodes[static_cast<std::size_t>(assembly.contact_node(at.node))];
+    power += friction_on(node).dot(creepage + turned);
+  }
+  return assembly.copies * rolling.velocity.norm() * power;
 }
 
 template <int dim>
@@ -44,6 +68,10 @@ template PowerOfRolling power_of_rolling(const Assembly<2>&, const NodalField<2>
                                          const std::vector<ContactNode<2>>&);
 template PowerOfRolling power_of_rolling(const Assembly<3>&, const NodalField<3>&,
                                          const std::vector<ContactNode<3>>&);
+template double driving_power(const Assembly<2>&, const std::vector<ContactNode<2>>&,
+                              const Vector<2>&);
+template double driving_power(const Assembly<3>&, const std::vector<ContactNode<3>>&,
+                              const Vector<3>&);
 template void observe_rolling(const Assembly<2>&, const NodalField<2>&,
                               const std::vector<ContactNode<2>>&, const Vector<2>&, int,
                               Observation&);

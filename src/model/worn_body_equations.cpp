@@ -98,9 +98,15 @@ Vector<dim> WornBodyEquations<dim>::creepage(const FieldValues<dim>& values) con
     if (guides[k].creeps())
       sum += values.scalar(fields().w)[static_cast<Eigen::Index>(k)] / guides[k].creep *
              guides[k].along;
-  if (assembly_->pairs.empty()) return sum;
+  return sum;
+}
+
+template <int dim>
+Vector<dim> WornBodyEquations<dim>::creepage_of_first(const FieldValues<dim>& values) const {
+  const Vector<dim> own = creepage(values);
+  if (assembly_->pairs.empty()) return own;
   const auto& [slave, master] = assembly_->pairs.front().numbers;
-  return slave < master ? sum : Vector<dim>(-sum);
+  return slave < master ? own : Vector<dim>(-own);
 }
 
 template <int dim>

@@ -7,24 +7,13 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/scene/keys.hpp>
 
+#include "model/unlike_bodies.hpp"
+
 namespace gnomon::part {
 
 namespace {
 
 constexpr const char *press_key = "cycle.loading.press", *others_key = "cycle.loading.others";
-
-/// Dundurs' second constant: how normal tractions move the bodies along their contact, 0 of similar
-/// bodies (K. L. Johnson, Contact Mechanics, eq. 5.3). Without `second` that is rigid.
-double dundurs(const Material& first, const Material* second) {
-  const auto coupled = [](const Material& of) {
-    return (1 - 2 * of.poisson_ratio) * (1 + of.poisson_ratio) / of.young_modulus;
-  };
-  const auto whole = [](const Material& of) {
-    return 2 * (1 - of.poisson_ratio) * (1 + of.poisson_ratio) / of.young_modulus;
-  };
-  if (!second) return coupled(first) / whole(first);
-  return (coupled(first) - coupled(*second)) / (whole(first) + whole(*second));
-}
 
 }  // namespace
 
@@ -57,16 +46,7 @@ std::vector<LoadingStep> read_first_loading(const Scene& scene, bool sticks) {
 template <int dim>
 std::string history_that_matters(const AssemblyParts<dim>& parts) {
   constexpr double little = 0.01;
-  double most = 0;
-  if (parts.pairs.empty())
-    for (const Body& body : parts.bodies)
-      most = std::max(most, std::abs(dundurs(body.material, nullptr)));
-  for (const MortarPair<dim>& pair : parts.pairs) {
-    const auto material = [&](std::size_t side) -> const Material& {
-      return parts.bodies[static_cast<std::size_t>(pair.numbers[side])].material;
-    };
-    most = std::max(most, std::abs(dundurs(material(0), &material(1))));
-  }
+  const double most = std::abs(dundurs_of(parts.bodies, parts.pairs));
   if (most < little) return {};
   return fmt::format(
       "pressures move the bodies along their contact, since they are unlike (Dundurs' beta is "

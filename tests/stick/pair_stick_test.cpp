@@ -637,6 +637,33 @@ TEST_F(PairRolling, UnlikeBodiesCreepWhereTheyRollFreely) {
   EXPECT_LT(std::abs(of_zone(-0.5, 0.3)), 1e-6 * std::abs(middle));
 }
 
+/// With little force nothing slips on a coarse mesh, and nothing wears.
+TEST_F(PairRolling, FrictionWithoutThePowerOfWhatDrivesSimilarBodiesIsTold) {
+  for (const double young : {2e5, 1e5})
+    for (const double force : {0.4, 2.5}) {
+      const auto model = this->model(rolling_cap(1000),
+                                     {fmt::format("motion.1.force={}", force), "mesh.factor=1.5",
+                                      fmt::format("body.1.young_modulus={}", young)});
+      Counters counters;
+      const State start = model->start(counters);
+      const double driving = std::abs(observed(*model, start, "force_support_3_x") *
+                                      observed(*model, start, "creepage_x") * 1000),
+                   part = observed(*model, start, "friction_power") / driving;
+      if (force < 1) EXPECT_LT(part, 0.9);
+      const bool similar = young == 2e5;
+      const Examination facts = model->examine(start);
+      // The force along the contact has a part of the pressures, on slopes.
+      EXPECT_NEAR(facts.power_by_driving, similar ? part : 1, 2e-3);
+      const std::vector<std::string> found = doubts(facts);
+      EXPECT_EQ(std::ranges::count_if(found,
+                                      [](const std::string& doubt) {
+                                        return doubt.find("times the power of what drives them") !=
+                                               std::string::npos;
+                                      }),
+                similar && std::abs(part - 1) > 0.1);
+    }
+}
+
 /// A disc of 6 mm radius in its unrolled frame: R^2 falls in proportion to time where the law has
 /// the path that is left, and the depth does without.
 TEST_F(PairRolling, TheSquareOfTheRadiusFallsSteadily) {

@@ -111,6 +111,8 @@ struct Examination {
   double turn = 0;
   /// In rolling: PowerOfRolling::upwind by dissipated, and without_friction.
   double upwind_power = 0, without_friction = 0;
+  /// Of similar bodies, PowerOfRolling::dissipated by driving_power(); 1 where there is neither.
+  double power_by_driving = 1;
   /// There, the largest depth of a track by the radius whose circumference its path is.
   double worn_radius = 0;
   double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]

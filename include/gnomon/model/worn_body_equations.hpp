@@ -118,9 +118,10 @@ public:
   /// In steady rolling: what the partner is passed by beside rigid motion, displacements, of pairs
   /// their places on the partner, by node of the mesh [length].
   NodalField<dim> moved_on_partner(const FieldValues<dim>& values) const;
-  /// In steady rolling: the given creepage and what forces determine of it; of pairs that of the
-  /// first body relative to the second.
+  /// In steady rolling: the given creepage and what forces determine of it, of pairs the slave's.
   Vector<dim> creepage(const FieldValues<dim>& values) const;
+  /// The same, of pairs that of the first body relative to the second.
+  Vector<dim> creepage_of_first(const FieldValues<dim>& values) const;
   /// How far the partner's surface at every contact node is carried by a phase of a path: c of
   /// stick_node.hpp.
   NodalField<dim> carried(const Phase<dim>& phase) const;
