@@ -68,6 +68,8 @@ public:
   SystemHandle(const System& system, Counters& counters) : system_(&system), counters_(&counters) {}
   SystemHandle(std::shared_ptr<const SystemHandle> parent, std::shared_ptr<AlgebraicStage> stage)
       : parent_(std::move(parent)), stage_(std::move(stage)) {}
+  /// While a step from this time is taken: it ends before what jumps at its end.
+  std::optional<double> step_from{};
   /// The run has ended.
   void end() {
     system_ = nullptr;

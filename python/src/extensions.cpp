@@ -2,10 +2,13 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
+#include <gnomon/integrators/jumps.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <map>
 #include <set>
@@ -40,7 +43,11 @@ class PythonStepper : public Stepper {
 public:
   PythonStepper(const std::shared_ptr<Immortal>& make, int order, const System& system,
                 const IntegratorSettings& settings, Counters& counters)
-      : Stepper(counters), order_(order), settings_(settings) {
+      : Stepper(counters),
+        order_(order),
+        system_(system),
+        settings_(settings),
+        counters_(counters) {
     in_python([&] {
       using namespace py::literals;
       handle_ = std::make_shared<SystemHandle>(system, counters);
@@ -59,6 +66,11 @@ public:
 private:
   StepReport take_step(State& state, double t_stop) override {
     int order = order_;
+    if (is_breakpoint(system_.structure(), state.t))
+      pass_breakpoint(system_, counters_, nullptr, state);
+    t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
+    if (settings_.step == 0) t_stop = end_at_stop(system_.structure(), state.t, t_stop);
+    handle_->step_from = state.t;
     State next = in_python([&] {
       State result = next_state(state, t_stop);
       // A method of variable order says of every step by which it was taken.
@@ -89,14 +101,16 @@ private:
       throw py::value_error("advance: expected a time after " + std::to_string(state.t) +
                             " and not after " + std::to_string(t_stop) + ", got " +
                             std::to_string(next.t));
-    for (const double value : next.y)
-      if (!std::isfinite(value))
+    for (const std::vector<double>& values : {next.y, next.ydot})
+      if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
         throw SolutionError("advance: the state has an infinite value or NaN");
     return next;
   }
 
   const int order_;
+  const System& system_;
   IntegratorSettings settings_;
+  Counters& counters_;
   std::shared_ptr<SystemHandle> handle_;
   py::object object_;
 };

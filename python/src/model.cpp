@@ -5,6 +5,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/fields/block.hpp>
 #include <gnomon/integrators/rates.hpp>
+#include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <map>
 
@@ -173,7 +174,9 @@ py::list stages(const std::shared_ptr<SystemHandle>& handle) {
 
 /// Solves the algebraic rows for the differential components of y; the result is consistent, with
 /// its rates.
-State consistent(const SystemHandle& handle, double t, const py::object& y) {
+State consistent(const SystemHandle& handle, double t, const py::object& y,
+                 std::optional<double> within) {
+  if (!within) within = handle.step_from;
   State state{t, numbers(y, handle.structure().size, "y"), {}};
   const std::string at = "t = " + std::string(py::str(py::float_(t)));
   if (!std::isfinite(t)) throw InputError(at + ": expected a finite time");
@@ -182,24 +185,32 @@ State consistent(const SystemHandle& handle, double t, const py::object& y) {
       throw SolutionError("no equilibrium at " + at + ": y[" + std::to_string(i) +
                           "] is not a finite number");
   handle.compute([&](const System& system) {
-    const std::string reason = AlgebraicSolver(system, handle.counters()).solve(t, state.y);
+    const double at_end = within ? inside_step(system.structure(), *within, t) : t;
+    const std::string reason = AlgebraicSolver(system, handle.counters()).solve(at_end, state.y);
     if (!reason.empty()) throw SolutionError("no equilibrium at " + at + ": " + reason);
-    set_rates(system, nullptr, state);
+    set_rates(system, nullptr, state, within);
   });
   return state;
 }
 
+/// A copy that may not be written to, since the state would not change.
+py::array_t<double> copy_of(const std::vector<double>& values) {
+  py::array_t<double> copy = array(values);
+  copy.attr("setflags")(py::arg("write") = false);
+  return copy;
+}
+
 void add_state(py::module_& module) {
-  py::class_<State, std::shared_ptr<State>>(module, "State",
-                                            "A point of the solution: t, y and ydot (copies).")
+  py::class_<State, std::shared_ptr<State>>(
+      module, "State", "A point of the solution: t, y and ydot (copies to read).")
       .def(py::init([](double t, const py::array_t<double>& y, const py::array_t<double>& ydot) {
              return State{t, numbers(y, y.size(), "y"), numbers(ydot, y.size(), "ydot")};
            }),
            py::arg("t"), py::arg("y"), py::arg("ydot"))
       .def_property_readonly("t", held([](const State& state) { return state.t; }), "Time.")
-      .def_property_readonly("y", held([](const State& state) { return array(state.y); }),
+      .def_property_readonly("y", held([](const State& state) { return copy_of(state.y); }),
                              "All unknowns.")
-      .def_property_readonly("ydot", held([](const State& state) { return array(state.ydot); }),
+      .def_property_readonly("ydot", held([](const State& state) { return copy_of(state.ydot); }),
                              "Their rates; of algebraic unknowns zero.")
       .def("__repr__", held([](const State& state) {
              return "<gnomon.State at t = " + std::string(py::str(py::float_(state.t))) + " of " +
@@ -273,7 +284,10 @@ void add_system(py::module_& module) {
           },
           "The algebraic rows as a list of Stage, to be solved one after the other.")
       .def("consistent", held(consistent), py::arg("t"), py::arg("y"),
-           "The State with these differential components: solves mesh motion and contact.");
+           py::arg("within") = py::none(),
+           "The State with these differential components: solves mesh motion and contact. "
+           "`within`: an earlier time, so that what jumps at t has not jumped yet; in advance() of "
+           "an integrator it is the time of its state.");
 }
 
 void add_stage(py::module_& module) {

@@ -134,6 +134,15 @@ def test_an_integrator_that_returns_no_state_is_refused(springs, answer):
         gnomon.run(springs.with_({"integrator.name": name, "integrator.step": 1}))
 
 
+def test_steps_end_at_jumps_of_loads(pin):
+    """The worn area is k times the force times the path, by steps that know nothing of the jump at 5 s."""
+    given = pin.with_({"load.times": [0, 5, 5, 10], "load.factors": [1, 1, 3, 1], "time.end": 10,
+                       "wear.normal": "conservative"})
+    outcome = gnomon.run(given.with_({"integrator.name": "python-heun", "integrator.step": 3}))
+    worn = given["wear.coefficient"] * given["wear.velocity"] * given["load.force"] * (5 + 10)
+    assert outcome.history["worn_volume"][-1] == pytest.approx(worn, rel=1e-6)
+
+
 def test_an_integrator_may_fail_as_others_do(springs):
     class Gives:
         def __init__(self, *_):

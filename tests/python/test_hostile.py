@@ -101,7 +101,8 @@ def test_objects_outlive_their_owners(springs):
 def test_arrays_do_not_reach_into_the_library(springs):
     model = gnomon.Model(springs)
     state = model.start()
-    state.y[:] = nan
+    with pytest.raises(ValueError, match="read-only"):
+        state.y[:] = nan
     model.system.row_scale[:] = 0
     assert numpy.isfinite(state.y).all() and (model.system.row_scale > 0).all()
     with pytest.raises(AttributeError):
