@@ -94,7 +94,8 @@ Scales make_scales(const Scene& scene, const WearLaw& wear, double facet) {
   scales.displacement = hertz.approach;
   scales.stress = force / (M_PI * hertz.radius * hertz.radius + worn_area);
   // Without friction there is no wear, by eq. (13).
-  scales.wear_depth = worn > 0 ? worn / worn_area : hertz.approach;
+  scales.wear_depth =
+      worn > 0 ? depth_by_law(scene, wear, scales.stress, worn / worn_area) : hertz.approach;
   scales.auxiliary_force = scales.wear_depth * facet;
   return scales;
 }

@@ -150,8 +150,9 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   scales.displacement = hertz.approach;
   scales.stress = force / (M_PI * hertz.radius * (hertz.radius + half_width));
   // Without friction there is no wear, by eq. (13).
-  scales.wear_depth =
-      groove > 0 ? groove / (2 * std::max(half_width, hertz.radius)) : hertz.approach;
+  scales.wear_depth = groove > 0 ? depth_by_law(scene, wear, scales.stress,
+                                                groove / (2 * std::max(half_width, hertz.radius)))
+                                 : hertz.approach;
   scales.auxiliary_force = scales.wear_depth;
   return scales;
 }

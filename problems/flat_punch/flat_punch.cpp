@@ -116,7 +116,8 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   scales.stress = force / (2 * scene.real("punch.half_width"));
   scales.duration = scene.real("time.end");
   const double k_v = wear_by_pressure(scene, wear, scales.stress);
-  scales.wear_depth = k_v * load_impulse(scene) / (2 * scene.real("punch.half_width"));
+  scales.wear_depth = depth_by_law(
+      scene, wear, scales.stress, k_v * load_impulse(scene) / (2 * scene.real("punch.half_width")));
   if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
   scales.auxiliary_force = scales.wear_depth;
   return scales;

@@ -95,7 +95,9 @@ Scales make_scales(const Scene& scene, const WearLaw& wear) {
   scales.duration = scene.real("time.end");
   const double k_v = wear_by_pressure(scene, wear, scales.stress);
   // Not more than the height, so that a run with more wear than that has a useful tolerance.
-  scales.wear_depth = std::min(k_v * load_impulse(scene) / width, scene.real("pin.height"));
+  scales.wear_depth =
+      std::min(depth_by_law(scene, wear, scales.stress, k_v * load_impulse(scene) / width),
+               scene.real("pin.height"));
   if (scales.wear_depth == 0) scales.wear_depth = scales.displacement;  // a law without wear
   scales.auxiliary_force = scales.wear_depth;
   return scales;

@@ -146,7 +146,8 @@ void read_wear(const Scene& scene, Foundation& f) {
     throw InputError(
         scene.where("wear.rate") +
         ": expected a law that wears the centre of this pin; the springs have no friction");
-  at.depth = f.mean_depth();
+  f.mean_depth = depth_by_law(f.wear, at, f.wear_by_pressure * f.mean_pressure() * f.duration);
+  at.depth = f.mean_depth;
   at.initial.clear();
   for (const double x : f.x) at.initial.push_back({x, f.profile(x), 0});
   f.wear = required_law(scene, f.wear, at, f.remarks);

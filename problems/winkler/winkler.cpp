@@ -76,7 +76,7 @@ public:
     blocks = {{"worn_surface", "d", n, "points (differential)"},
               {"pressure", "p", n * phases, "points, each phase"},
               {"approach", "delta", phases, "the pin, each phase"}};
-    differential_scale = foundation_->mean_depth();
+    differential_scale = foundation_->mean_depth;
     remarks = foundation_->remarks;
     wear_flux = [this](const Point& at) { return flux(at); };
     if (steady) exact = [this](double t) { return solution(t); };

@@ -52,12 +52,12 @@ struct Foundation : FlatMotion {
   WearLaw wear;              ///< of p, v, t, s, x0 and h = d
   double wear_by_pressure;   ///< typical Wdot / p [mm/s/MPa]
   double duration;           ///< of the run [s]
+  double mean_depth;         ///< at the end, about [mm]
   std::vector<double> x;     ///< positions of the points [mm]
   std::vector<double> area;  ///< A_i [mm]
 
   double profile(double at) const { return at * at / (2 * radius); }
   double mean_pressure() const { return force / width; }
-  double mean_depth() const { return wear_by_pressure * mean_pressure() * duration; }
 };
 
 /// What a wear law sees of a point in a phase; `seen` has pressure, depth and the time, and gets
@@ -226,8 +226,8 @@ private:
       }
       if (!coupled_) continue;
       structure_.differential[d(i)] = 1;
-      structure_.row_scale[d(i)] = f.mean_depth() / f.duration;
-      structure_.unknown_scale[d(i)] = f.mean_depth();
+      structure_.row_scale[d(i)] = f.mean_depth / f.duration;
+      structure_.unknown_scale[d(i)] = f.mean_depth;
     }
   }
 

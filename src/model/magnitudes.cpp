@@ -217,15 +217,18 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   scales.force = start.force;
   scales.displacement =
       std::max(start.depth, start.force / (modulus * width_of(start.area, solid)));
+  const auto circumstances = [&](const Surface<dim>& surface) {
+    return WearCircumstances{.pressure = start.force / start.area,
+                             .friction = parts.interface.friction,
+                             .speed = parts.nominal_speed(),
+                             .duration = duration,
+                             .initial = {node_of(surface, parts)}};
+  };
   double k_v = 0, second = 0;  // of the surfaces that wear most; of pairs both recede
   double by_track = 0;         // of those that wear by the mean along a track
   for (const Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.wears) continue;
-    const double own = wear_by_pressure(surface.wear, {.pressure = start.force / start.area,
-                                                       .friction = parts.interface.friction,
-                                                       .speed = parts.nominal_speed(),
-                                                       .duration = duration,
-                                                       .initial = {node_of(surface, parts)}});
+    const double own = wear_by_pressure(surface.wear, circumstances(surface));
     if (surface.track) {
       by_track += own / surface.track->path;
       continue;
@@ -235,12 +238,22 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   }
   if (!parts.pairs.empty()) k_v += second;
   // Held bodies wear until they no longer overlap.
-  const double worn = press.force > 0
-                          ? k_v * press.impulse
-                          : std::min(k_v * start.force * duration, gaps.volume(press.overlap));
-  const double local = worn > 0 ? gaps.depth_of(worn) : 0,
-               track = depth_of_tracks<dim>(by_track, press, start, gaps, duration);
-  result.deepest = local + track;
+  double worn = press.force > 0
+                    ? k_v * press.impulse
+                    : std::min(k_v * start.force * duration, gaps.volume(press.overlap)),
+         local = worn > 0 ? gaps.depth_of(worn) : 0,
+         track = depth_of_tracks<dim>(by_track, press, start, gaps, duration);
+  // Where laws read the depth, that of the surface that wears deepest.
+  const double nominal = local + track;
+  for (const Surface<dim>& surface : parts.interface.surfaces)
+    if (surface.wears)
+      result.deepest =
+          std::max(result.deepest, depth_by_law(surface.wear, circumstances(surface), nominal));
+  if (result.deepest < nominal) {
+    local *= result.deepest / nominal;
+    track *= result.deepest / nominal;
+    worn = gaps.volume(local);
+  }
   // In the plane a track recedes as a whole, and does not widen the contact.
   const double shaping = dim == 2 ? local : result.deepest;
   const double worn_area = std::max(gaps.area(shaping), start.area);

@@ -70,10 +70,11 @@ std::array<double, 3> middle_of(const std::vector<std::array<double, 3>>& positi
 /// Wdot / p at a pressure; of a rate that is proportional to it, whatever the pressure, to the last
 /// digit.
 double secant(const WearLaw& law, const WearCircumstances& at, double pressure, double speed,
-              double t) {
+              double t, double depth = 0) {
   constexpr double rounding = 1e-12;
   const WearRate rate = law.rate({.pressure = pressure,
                                   .speed = speed,
+                                  .depth = depth,
                                   .friction_power = at.friction * pressure * speed,
                                   .moment = {.time = t, .slid = speed * t, .within = t},
                                   .initial = middle_of(at.initial)});
@@ -98,11 +99,49 @@ double wear_by_pressure(const WearLaw& law, const WearCircumstances& at) {
   return 0;
 }
 
+/// By the time that a new surface takes, T(h), the integral over the depth h of its rate by that at
+/// h, with the trapezoidal rule on a grid in logarithmic steps: a law may fall at any depth.
+double depth_by_law(const WearLaw& law, const WearCircumstances& at, double nominal) {
+  constexpr int moments = 16, decades = 12, parts = 16;
+  const auto rate = [&](double depth) {
+    double sum = 0;
+    for (int k = 0; k < moments; ++k)
+      sum += secant(law, at, at.pressure, at.speed, at.duration * (k + 0.5) / moments, depth);
+    return sum;
+  };
+  const double fresh = rate(0);
+  if (!(fresh > 0) || !(nominal > 0)) return nominal;
+  double depth = 0, slowness = 1, taken = 0;
+  bool slows = false;  // otherwise the depth is the nominal one to the last digit
+  for (int k = -decades * parts; k <= 0; ++k) {
+    const double next = nominal * std::pow(10.0, static_cast<double>(k) / parts),
+                 slower = fresh / rate(next), time = (next - depth) * (slowness + slower) / 2;
+    slows = slows || slower > 1;
+    if (slows && taken + time > nominal) return depth + (next - depth) * (nominal - taken) / time;
+    depth = next, slowness = slower, taken += time;
+  }
+  return nominal;
+}
+
+namespace {
+
+WearCircumstances circumstances(const Scene& scene, double pressure) {
+  return {.pressure = pressure,
+          .friction = scene.real("friction.coefficient"),
+          .speed = scene.real("wear.velocity"),
+          .duration = scene.real("time.end")};
+}
+
+}  // namespace
+
 double wear_by_pressure(const Scene& scene, const WearLaw& law, double pressure) try {
-  return wear_by_pressure(law, {.pressure = pressure,
-                                .friction = scene.real("friction.coefficient"),
-                                .speed = scene.real("wear.velocity"),
-                                .duration = scene.real("time.end")});
+  return wear_by_pressure(law, circumstances(scene, pressure));
+} catch (const RecoverableError& error) {
+  throw unsound_law(scene, error);
+}
+
+double depth_by_law(const Scene& scene, const WearLaw& law, double pressure, double nominal) try {
+  return depth_by_law(law, circumstances(scene, pressure), nominal);
 } catch (const RecoverableError& error) {
   throw unsound_law(scene, error);
 }

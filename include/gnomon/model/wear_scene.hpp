@@ -31,8 +31,13 @@ struct WearCircumstances {
 /// law. Of a law that needs more than the mean pressure, at the first multiple of it that wears;
 /// zero where none does. Throws RecoverableError where the rate is not finite.
 double wear_by_pressure(const WearLaw& law, const WearCircumstances& at);
-/// The same with the speed, duration and friction of the scene. Throws InputError.
+
+/// The depth at the end of the run of a law that may read it, where the rate of a new surface would
+/// wear `nominal`: at most that [length]. Throws RecoverableError where the rate is not finite.
+double depth_by_law(const WearLaw& law, const WearCircumstances& at, double nominal);
+/// The same with the speed, duration and friction of the scene. Throw InputError.
 double wear_by_pressure(const Scene& scene, const WearLaw& law, double pressure);
+double depth_by_law(const Scene& scene, const WearLaw& law, double pressure, double nominal);
 
 /// What is said of a law whose rate is not finite, with the key that gives it.
 InputError unsound_law(const Scene& scene, const RecoverableError& error);
