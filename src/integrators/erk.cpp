@@ -207,8 +207,6 @@ private:
     State next = whole_;
     next.t = t;
     if (t != whole_.t) dense_output_.evaluate(t, next.y);
-    for (std::size_t k = 0; k < remembered_.size(); ++k)
-      next.y[system_.structure().remembered[k]] = remembered_[k];
     const std::vector<int>& components = norm_.components();
     for (std::size_t k = 0; k < components.size(); ++k) next.y[components[k]] = d[k];
     const double error = expected_error_.of_step(step_);
@@ -216,6 +214,8 @@ private:
       return step_ * distance_of_rates(system_, norm_, nullptr, next, before, y, from_) / error;
     };
     if (t != whole_.t || norm_.distance(next.y, whole_.y, next.y) > 0) {
+      for (std::size_t k = 0; k < remembered_.size(); ++k)
+        next.y[system_.structure().remembered[k]] = remembered_[k];
       const std::string reason =
           algebraic_.solve(inside_step(system_.structure(), from_, t), next.y, nullptr,
                            error > 0 ? distance : Distance{});
