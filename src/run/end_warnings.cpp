@@ -10,8 +10,38 @@
 
 namespace gnomon {
 
+namespace {
+
+/// Where atol is that of the expected depth.
+std::string tolerance_warning(const Observation& last, const IntegratorSettings& settings) {
+  constexpr double much = 5;
+  const double depth = value_of(last, "wear_depth").value_or(0);
+  if (settings.step > 0 || !(depth > 0) || settings.atol != settings.rtol * settings.scale ||
+      settings.scale <= much * depth)
+    return {};
+  return fmt::format(
+      "steps were allowed errors for a mean wear depth of {:.2g}, which was expected, and the "
+      "largest depth is {:.2g}: integrator.atol = {:.1g} allows {:.2g} of that",
+      settings.scale, depth, settings.rtol * depth, settings.rtol);
+}
+
+/// Of a difference of volumes that hardly differ.
+std::string rounding_warning(const Observation& last, double invisible) {
+  constexpr double most = 0.05;
+  const double integral = value_of(last, "wear_integral").value_or(0),
+               difference = std::abs(wear_difference(last).value_or(0));
+  if (integral == 0 || difference > invisible || difference <= most * std::abs(integral)) return {};
+  return fmt::format(
+      "the worn volume of {:.3g} is lost in the rounding of the volume of the bodies; the wear "
+      "integral, {:.3g}, is not",
+      *value_of(last, "worn_volume"), integral);
+}
+
+}  // namespace
+
 std::vector<std::string> end_warnings(const Observation& last, double invisible,
-                                      long chattering_nodes, const Integrator& integrator) {
+                                      long chattering_nodes, const Integrator& integrator,
+                                      const IntegratorSettings& settings) {
   std::vector<std::string> warnings;
   if (chattering_nodes > 0 && integrator.is_explicit())
     warnings.push_back(
@@ -24,6 +54,8 @@ std::vector<std::string> end_warnings(const Observation& last, double invisible,
         "where the surface cannot wear, the end of the contact zone or a held side; then pressures "
         "and shape are worthless",
         *value_of(last, "worn_volume"), *value_of(last, "wear_integral")));
+  for (std::string text : {tolerance_warning(last, settings), rounding_warning(last, invisible)})
+    if (!text.empty()) warnings.push_back(std::move(text));
   return warnings;
 }
 

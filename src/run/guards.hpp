@@ -120,10 +120,12 @@ double initial_quality(const std::optional<Grid>& grid);
 /// warning is about the mesh, not about wear.
 std::vector<MeshWarning> mesh_warnings(const Observation& observed, double initial);
 
-/// Warns of an explicit method above its critical step, and of wear that is missing in the shape by
-/// more than `invisible`.
+/// Warns of an explicit method above its critical step, of wear that is missing in the shape by
+/// more than `invisible`, of a worn volume of that size, and of a tolerance for much deeper wear
+/// than there is.
 std::vector<std::string> end_warnings(const Observation& last, double invisible,
-                                      long chattering_nodes, const Integrator& integrator);
+                                      long chattering_nodes, const Integrator& integrator,
+                                      const IntegratorSettings& settings);
 
 /// Warns of an error of the mean over the phases of a cycle at the start that is larger than the
 /// tolerance: about as large may that of the worn shape be; empty otherwise. At the end the shape

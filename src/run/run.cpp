@@ -51,7 +51,7 @@ public:
     if (outcome_.status != Status::failed)
       for (const std::string& text :
            end_warnings(observed_, invisible_volume(model().grid, dimension_of(observed_)),
-                        memory_.chattering.nodes(), integrator_))
+                        memory_.chattering.nodes(), integrator_, settings_))
         warn(text);
     if (const std::string text = jumps_->warning(state()); !text.empty()) warn(text);
     // The last good state is always stored, independent of the output keys of the scene.

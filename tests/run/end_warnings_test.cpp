@@ -20,17 +20,37 @@ Observation worn(double volume, double integral) {
 }
 
 TEST(EndWarnings, TellOfNodesThatAnExplicitMethodMakesLeaveContact) {
-  EXPECT_THAT(end_warnings({}, 0, 3, integrator("forward-euler")),
+  EXPECT_THAT(end_warnings({}, 0, 3, integrator("forward-euler"), {}),
               ElementsAre(HasSubstr("3 contact nodes left contact twice or more")));
-  EXPECT_THAT(end_warnings({}, 0, 0, integrator("forward-euler")), IsEmpty());
+  EXPECT_THAT(end_warnings({}, 0, 0, integrator("forward-euler"), {}), IsEmpty());
   for (const char* name : {"backward-euler", "esdirk-4", "bdf"})
-    EXPECT_THAT(end_warnings({}, 0, 3, integrator(name)), IsEmpty()) << name;
+    EXPECT_THAT(end_warnings({}, 0, 3, integrator(name), {}), IsEmpty()) << name;
 }
 
 TEST(EndWarnings, TellOfWearThatTheShapeHasNotLost) {
-  EXPECT_THAT(end_warnings(worn(1.7, 2), 0, 0, integrator("bdf")),
+  EXPECT_THAT(end_warnings(worn(1.7, 2), 0, 0, integrator("bdf"), {}),
               ElementsAre(HasSubstr("the worn volume is 1.7, the wear integral is 2:")));
-  EXPECT_THAT(end_warnings(worn(1.9, 2), 0, 0, integrator("bdf")), IsEmpty());
+  EXPECT_THAT(end_warnings(worn(1.9, 2), 0, 0, integrator("bdf"), {}), IsEmpty());
+}
+
+TEST(EndWarnings, TellOfAToleranceForDeeperWear) {
+  const auto of_depth = [](double depth, double rtol_by_scale) {
+    return end_warnings({common("wear_depth", depth)}, 0, 0, integrator("bdf"),
+                        {.rtol = 1e-3, .atol = rtol_by_scale * 1e-3, .scale = 0.5});
+  };
+  EXPECT_THAT(of_depth(0.01, 0.5), ElementsAre(HasSubstr("integrator.atol = 1e-05 allows")));
+  EXPECT_THAT(of_depth(0.2, 0.5), IsEmpty());
+  EXPECT_THAT(of_depth(0.01, 0.01), IsEmpty());  // given
+  EXPECT_THAT(of_depth(0, 0.5), IsEmpty());
+}
+
+TEST(EndWarnings, TellOfAVolumeThatIsRounding) {
+  const auto of = [](double volume, double integral) {
+    return end_warnings(worn(volume, integral), 1e-14, 0, integrator("bdf"), {});
+  };
+  EXPECT_THAT(of(6.7e-16, 5e-16), ElementsAre(HasSubstr("of 6.7e-16 is lost in the rounding")));
+  EXPECT_THAT(of(1.04, 1), IsEmpty());
+  EXPECT_THAT(of(0, 0), IsEmpty());
 }
 
 TEST(LostWear, IsMoreThanATenthOfTheIntegral) {
