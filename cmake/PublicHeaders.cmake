@@ -17,6 +17,7 @@ set(gnomon_public_headers
   gnomon/terms/solid_kernels.hpp     # and what one is made of
   gnomon/terms/body_term.hpp         # terms of a physics
   gnomon/terms/shape_evolution.hpp
+  gnomon/terms/mesh_motion.hpp
   gnomon/system/linear_solver.hpp    # linear solvers
   gnomon/newton/linear_solver_kind.hpp
   gnomon/model/problem.hpp           # problems

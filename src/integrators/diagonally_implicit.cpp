@@ -258,8 +258,8 @@ std::unique_ptr<Stepper> make_diagonally_implicit(const System& system,
                                                    : (trapezoidal ? 2 : 1);
   return std::make_unique<OneStepStepper>(
       system, settings, counters,
-      std::make_unique<DiagonallyImplicit>(system, settings, counters, table), table.order,
-      error_order);
+      std::make_unique<DiagonallyImplicit>(system, settings, counters, checked_table(table)),
+      table.order, error_order);
 }
 
 }  // namespace gnomon

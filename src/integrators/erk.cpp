@@ -310,8 +310,8 @@ private:
 }  // namespace
 
 std::unique_ptr<Stepper> make_erk(const System& system, const IntegratorSettings& settings,
-                                  Counters& counters, ButcherTable table) {
-  return std::make_unique<ErkSolver>(system, settings, counters, std::move(table));
+                                  Counters& counters, const ButcherTable& table) {
+  return std::make_unique<ErkSolver>(system, settings, counters, checked_table(table));
 }
 
 }  // namespace gnomon

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
+#include <gnomon/base/error.hpp>
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/stability/stability.hpp>
 #include <string>
@@ -133,6 +135,37 @@ std::string parameter_name(const ::testing::TestParamInfo<std::string>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Tables, ::testing::ValuesIn(with_tables()), parameter_name);
+
+/// A method of a plug-in with a slip of the pen.
+TEST(Table, WhatIsNoMethodIsRefused) {
+  const auto refusal = [](auto&& spoil) -> std::string {
+    const double gamma = (3 + std::sqrt(3.0)) / 6;
+    ButcherTable table{"own", 3, Eigen::MatrixXd(2, 2), Vec(2), Vec(2), 1, Vec(2)};
+    table.A << gamma, 0, 1 - 2 * gamma, gamma;
+    table.b << 0.5, 0.5;
+    table.c << gamma, 1 - gamma;
+    table.b_embedded << 1, 0;
+    spoil(table);
+    try {
+      checked_table(table);
+    } catch (const RegistrationError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  using ::testing::HasSubstr;
+  EXPECT_EQ(refusal([](ButcherTable&) {}), "");
+  EXPECT_THAT(refusal([](ButcherTable& table) { table.b = Vec::Constant(3, 1. / 3); }),
+              HasSubstr("\"own\": expected A, b, c, and b_embedded"));
+  EXPECT_THAT(refusal([](ButcherTable& table) { table.b_embedded = {}; }), HasSubstr("b_embedded"));
+  EXPECT_THAT(refusal([](ButcherTable& table) { table.A(1, 0) = NAN; }), HasSubstr("finite"));
+  EXPECT_THAT(refusal([](ButcherTable& table) { table.A(0, 1) = 0.3; }), HasSubstr("triangular"));
+  EXPECT_THAT(refusal([](ButcherTable& table) { table.c(1) = 0.9; }), HasSubstr("c = A 1"));
+  EXPECT_THAT(refusal([](ButcherTable& table) { table.b(1) = 0.6; }), HasSubstr("order 3"));
+  EXPECT_THAT(refusal([](ButcherTable& table) { table.order = 4; }), HasSubstr("order 4"));
+  EXPECT_THAT(refusal([](ButcherTable& table) { table.embedded_order = 2; }),
+              HasSubstr("order 2 to hold for b_embedded"));
+}
 
 TEST(Registry, HasTheFamiliesOfTheDesign) {
   EXPECT_THAT(with_tables(),

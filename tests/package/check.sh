@@ -148,6 +148,9 @@ PY
   printf 'scene = "%s"\nreference = "none"\n' "$cone" >cones.toml
   rm -rf cones
   "$gnomon" --plugin "$my" study cones.toml -o cones --quiet
+  # A physics finds its headers in the installation (docs/integrators.md).
+  c++ -std=c++20 -fsyntax-only -I"$prefix/include" -I/usr/include/eigen3 \
+    "$source/problems/stressed_surface/stressed_surface.cpp"
 }
 
 bad_plugins() {

@@ -77,15 +77,16 @@ private:
   Rates rate_new_, rate_old_;
 };
 
-/// The registry entry's `make` for such a method.
+/// The registry entry's `make` for such a method. Throws RegistrationError like
+/// checked_table(table).
 std::unique_ptr<Stepper> make_diagonally_implicit(const System& system,
                                                   const IntegratorSettings& settings,
                                                   Counters& counters, const ButcherTable& table);
 
 /// An explicit Runge-Kutta method on the reduced ODE, by ARKODE's ERKStep and a table with an
 /// embedded method. Error control by ARKODE's PI controller in the norm of ErrorNorm; or fixed
-/// steps, halved when a solve fails.
+/// steps, halved when a solve fails. Throws RegistrationError like checked_table(table).
 std::unique_ptr<Stepper> make_erk(const System& system, const IntegratorSettings& settings,
-                                  Counters& counters, ButcherTable table);
+                                  Counters& counters, const ButcherTable& table);
 
 }  // namespace gnomon
