@@ -1,5 +1,7 @@
 #include "part/nominal_speed.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
@@ -10,6 +12,7 @@
 #include <vector>
 
 #include "part/histories.hpp"
+#include "part/part_cycle.hpp"
 #include "part/phases.hpp"
 
 namespace gnomon::part {
@@ -191,6 +194,14 @@ std::vector<std::string> remarks_on_speeds(const Scene& scene,
     remarks.push_back(
         "counter_body.motion or cycle.x, .y, .z, .rotation: the counter-body does not slide on the "
         "surfaces of wear.on, so that nothing wears");
+  constexpr double many = 10;
+  const double turns =
+      rest.turning && !cycle ? scene.real("time.end") / duration_of_turn(*rest.turning) : 0;
+  if (turns > many)
+    remarks.push_back(fmt::format(
+        "the counter-body turns {:.3g} times in the run and changes its place, and steps follow "
+        "every turn: [cycle] with `rotation` has the mean over turns (docs/cycles.md)",
+        turns));
   const auto is_turned_about = [&other](const ContactPatch<dim>& patch) {
     const double speed = speed_at<dim>(other, place_of(patch));
     return speed * speed < velocity_variance<dim>(patch, other.front().motion.spin,

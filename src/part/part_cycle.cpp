@@ -73,11 +73,26 @@ std::optional<double> largest_force(const Cycle& cycle) {
   return most;
 }
 
+/// Steps of a turn or more would see the shape at a few angles only, or at one.
+template <int dim>
+void require_steps_in_turn(const Scene& scene, const Turning<dim>& turning) {
+  constexpr double parts = 16;
+  const double longest = duration_of_turn(turning) / parts,
+               step = scene.real_if("integrator.step").value_or(0);
+  if (step > longest)
+    refuse(scene, "integrator.step",
+           fmt::format("at most {:.3g} s, a sixteenth of a turn of the counter-body, which changes "
+                       "its place as it turns (or [cycle] with `rotation`: the mean over turns), "
+                       "got {:g} s",
+                       longest, step));
+}
+
 template <int dim>
 std::optional<CyclicMotion<dim>> read_part_cycle(const Scene& scene,
                                                  const CounterBody<dim>& other) {
   std::optional<Cycle> cycle = read_cycle(scene);
   if (!cycle) {
+    if (other.turning) require_steps_in_turn(scene, *other.turning);
     for (const Guide<dim>& guide : other.guides)
       if (const std::string key = guide.key + ".cycle"; !guide.key.empty() && scene.given(key))
         refuse(scene, key, "also cycle.period");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
@@ -14,7 +15,9 @@ namespace gnomon::cycle_test {
 namespace {
 
 using namespace testing;
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST_F(Cycles, OnePhaseIsTheSteadyState) {
   const auto steady = model(text("motion.velocity = [0.4, 0.0]")),
@@ -40,6 +43,21 @@ TEST_F(Cycles, LoseWhatTheForceAndThePathSay) {
     EXPECT_NEAR(observed(*flat, run.last(), "worn_volume") / expected, 1, 1e-5) << integrator;
     EXPECT_NEAR(observed(*flat, run.last(), "contact_force") / 18.5, 1, 1e-5) << integrator;
   }
+}
+
+/// Steps of whole turns would see an eccentric cylinder at one angle only.
+TEST_F(Cycles, AShapeThatTurnsIsNotSteppedOver) {
+  const std::string turning = text("motion.rotation = 6.2832\nmotion.center = [0.0, 11.0]");
+  try {
+    model(turning, {"integrator.step=50"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("integrator.step: expected at most 0.0625 s"));
+  }
+  model(turning, {"integrator.step=0.06"});
+  EXPECT_THAT(model(turning)->remarks, Contains(HasSubstr("turns 100 times in the run")));
+  EXPECT_THAT(model(turning, {"time.end=5"})->remarks,
+              Not(Contains(HasSubstr("times in the run"))));
 }
 
 TEST_F(Cycles, WearTheSameOnBothSides) {
