@@ -203,8 +203,11 @@ void new_command(const fs::path& file, std::optional<double> size, fs::path scen
     throw InputError(scene.string() + " exists; give another name with --output");
   ImportedMesh mesh = read(file, size);
   const std::vector<std::string> bodies = bodies_that_meet(mesh);
+  // Files of a scene are looked for from its folder.
+  const fs::path beside = fs::proximate(fs::absolute(file), fs::absolute(scene).parent_path());
   const auto text_of = [&]<int dim>(const ImportedBody<dim>& body) {
-    return bodies.empty() ? new_scene(file, size, body) : new_pair_scene(file, size, body, bodies);
+    return bodies.empty() ? new_scene(beside, size, body)
+                          : new_pair_scene(beside, size, body, bodies);
   };
   const std::string text = mesh.dimension == 2
                                ? text_of(check_mesh<2>(std::move(mesh), {}, 0, bodies))

@@ -113,7 +113,7 @@ std::string scene_head(const std::string& title, const std::filesystem::path& me
       "# {}. One consistent set of units: mm, N, MPa, s.\n"
       "# All keys: gnomon help scene worn_body\n\nproblem = \"worn_body\"\n\n"
       "[mesh]\nfile = {}  # parts: {}\n",
-      title, toml_text(mesh.filename().string()),
+      title, toml_text(mesh.string()),
       names.empty() ? "none: name some in Gmsh" : fmt::format("{}", fmt::join(names, ", ")));
   if (!points.empty())
     text += fmt::format("# groups of points, for supports: {}\n", fmt::join(points, ", "));

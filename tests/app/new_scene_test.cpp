@@ -113,6 +113,20 @@ Physical Curve("my sole") = {1};
   EXPECT_THAT(text, HasSubstr("on = [\"my sole\"]"));
 }
 
+/// Of a mesh in another folder than the scene.
+TEST_F(NewScene, FindsItsMesh) {
+  std::filesystem::create_directory(folder() / "parts");
+  write("parts/plate.geo", R"geo(SetFactory("OpenCASCADE"); Rectangle(1) = {0, 0, 0, 4, 4};
+Mesh.MeshSizeMax = 1;
+Physical Curve("face") = {3}; Physical Curve("base") = {1}; Physical Surface("plate") = {1};
+)geo");
+  const std::string mesh = (folder() / "parts/plate.geo").string();
+  ASSERT_EQ(gnomon({"new", mesh, "-o", "plate.toml"}).exit_code, 0);
+  EXPECT_THAT(test::read_text(folder() / "plate.toml"), HasSubstr("file = \"parts/plate.geo\""));
+  const Outcome check = gnomon({"check", "plate.toml"});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+}
+
 constexpr const char* pin_on_disc = R"(Point(1) = {0, 0, 0, 0.05}; Point(2) = {0, 5, 0};
 Point(3) = {3, 1, 0, 0.5}; Point(4) = {3, 6, 0, 1}; Point(5) = {0, 6, 0, 1};
 Circle(1) = {1, 2, 3}; Line(2) = {3, 4}; Line(3) = {4, 5}; Line(4) = {5, 1};
