@@ -83,6 +83,19 @@ double load_on_levers(const AssemblyParts<dim>& parts) {
   return turns ? whole : 0;
 }
 
+/// Of all springs whose other ends move, at most: of unlike directions more than there is.
+template <int dim>
+double force_of_springs(const AssemblyParts<dim>& parts) {
+  double sum = 0;
+  for (const SpringSupport<dim>& springs : parts.supports.springs) {
+    const double traction =
+        springs.stiffness.cwiseProduct(springs.displacement).norm() * springs.history.largest();
+    for (const auto& patch : contact_patches<dim>(parts.mesh, springs.facets, {}, parts.section()))
+      sum += traction * patch.initial_area;
+  }
+  return sum;
+}
+
 /// How far the bodies are brought into each other where no force presses them.
 template <int dim>
 double given_overlap(const AssemblyParts<dim>& parts) {
@@ -92,8 +105,6 @@ double given_overlap(const AssemblyParts<dim>& parts) {
   };
   for (const PrescribedValues& held : parts.supports.moved)
     for (const auto& entry : held.entries) take(held.history, entry.value);
-  for (const SpringSupport<dim>& springs : parts.supports.springs)
-    for (const double value : springs.displacement) take(springs.history, value);
   for (const Guide<dim>& guide : parts.interface.partner.guides)
     if (guide.travel) take(*guide.travel, 1);
   if (!parts.pairs.empty()) {
@@ -138,10 +149,18 @@ Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   for (const Phase<dim>& phase : parts.instants()) most_load = std::max(most_load, phase.load);
   double force = interface.force ? *interface.force / interface.partner.guides.front().share
                                  : most_load * load_along_approach(parts);
-  const double overlap = given_overlap(parts);
+  Pressing press{.overlap = given_overlap(parts)};
+  for (const SpringSupport<dim>& springs : parts.supports.springs)
+    if (const double moved = springs.displacement.cwiseAbs().maxCoeff() * springs.history.largest();
+        moved > press.overlap) {
+      press.overlap = moved;
+      press.springs = force_of_springs(parts);
+    }
   if (const double levers = most_load * load_on_levers(parts); force < across * levers)
     force = levers;
-  return {force, force * interface.history.integral(duration), overlap};
+  press.force = force;
+  press.impulse = force * interface.history.integral(duration);
+  return press;
 }
 
 namespace {
@@ -209,8 +228,10 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   const double modulus = contact_modulus(parts.bodies, !parts.pairs.empty());
   const GapProfile gaps = gaps_of(parts, patches);
   const bool solid = dim == 3 || parts.section() == Section::meridian;
-  const Indentation start = press.force > 0 ? by_force(gaps, press.force, modulus, solid)
-                                            : by_overlap(gaps, press.overlap, modulus, solid);
+  Indentation start = press.force > 0 ? by_force(gaps, press.force, modulus, solid)
+                                      : by_overlap(gaps, press.overlap, modulus, solid);
+  if (press.force == 0 && press.springs > 0 && press.springs < start.force)
+    start = by_force(gaps, press.springs, modulus, solid);
   Magnitudes result;
   Scales& scales = result.scales;
   scales.duration = duration;

@@ -6,7 +6,9 @@ namespace gnomon::standing_test {
 namespace {
 
 using namespace testing;
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A column of width 1.5 and height 6, guided at its top, on a plate; its foot is flat, or round.
 std::string column(double bulge) {
@@ -67,6 +69,20 @@ TEST_F(Standing, AColumnStandsOnItsFlatFoot) {
   const State start = model->start(counters);
   EXPECT_NEAR(observed(*model, start, "contact_force"), 100, 0.01);
   EXPECT_GE(observed(*model, start, "contact_nodes"), 6);
+}
+
+/// Their other ends move by 4 mm, of which the gap of 0.4 mm takes a part.
+TEST_F(Standing, SoftSpringsPressAColumnByTheirForce) {
+  folder_.write("column.geo", column(0));
+  std::string pressed = scene;
+  const std::string load = "[[load]]\non = \"top\"\nforce = [0.0, -100.0]\n";
+  pressed.replace(pressed.find(load), load.size(),
+                  "[[support]]\non = \"top\"\ndirections = [\"y\"]\n"
+                  "stiffness = 0.15\nvalue = [-4.0]\n");
+  const auto model = this->model(pressed);
+  EXPECT_THAT(model->remarks, Not(Contains(HasSubstr("are moduli given in MPa"))));
+  Counters counters;
+  EXPECT_NEAR(observed(*model, model->start(counters), "contact_force"), 0.15 * 3.6 * 1.5, 1e-4);
 }
 
 TEST_F(Standing, ARoundFootRollsOver) {

@@ -15,6 +15,7 @@ struct Pressing {
   double force = 0;    ///< the largest of a cycle, at factor one
   double impulse = 0;  ///< its integral over the run [force time]
   double overlap = 0;  ///< by supports that move and by a given approach, at most [length]
+  double springs = 0;  ///< where springs alone bring it about: their force, at most
 };
 template <int dim>
 Pressing pressing_of(const AssemblyParts<dim>& parts, double duration);
