@@ -192,6 +192,21 @@ double find_lost_wear(const Assembly<dim>& assembly,
   return most;
 }
 
+/// 0 where nothing wears at all.
+template <int dim>
+double find_unworn_force(const Assembly<dim>& assembly,
+                         const std::vector<PhaseContact<dim>>& contacts) {
+  double worn = 0, unworn = 0;
+  for (const auto& [weight, nodes] : contacts)
+    for (std::size_t c = 0; c < nodes.size(); ++c)
+      (assembly.wears(static_cast<int>(c)) ? worn : unworn) +=
+          weight * nodes[c].area * std::max(0.0, -nodes[c].traction);
+  const auto wears = [](const Surface<dim>& surface) { return surface.wears; };
+  return worn + unworn > 0 && std::ranges::any_of(assembly.interface.surfaces, wears)
+             ? unworn / (worn + unworn)
+             : 0;
+}
+
 /// `depth`: by contact node.
 template <int dim>
 double find_worn_radius(const Assembly<dim>& assembly, const std::vector<double>& depth) {
@@ -251,7 +266,10 @@ Examination WearModel<dim>::examine(const State& state) const {
   facts.drag = find_drag(equations_, values, contacts);
   if (state.t > 0) facts.edge = edge_pressure(assembly(), contacts);
   if (state.t > 0) facts.gap_error = gap_error(state, values, contacts);
-  if (assembly().pairs.empty()) facts.overlap = find_overlap(equations_);
+  if (assembly().pairs.empty()) {
+    facts.overlap = find_overlap(equations_);
+    facts.unworn_force = find_unworn_force(assembly(), contacts);
+  }
   if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);
   facts.body_turn = find_body_turn(equations_, values);
   facts.moved_axis = find_moved_axis(equations_, values, contacts);

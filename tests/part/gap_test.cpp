@@ -1,5 +1,9 @@
 // Wear as a gap, and the stiffness condensed to the contact nodes.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <gnomon/model/controlled_settings.hpp>
+#include <gnomon/run/run.hpp>
 
 #include "part/part_scene.hpp"
 #include "run/guards.hpp"
@@ -8,6 +12,9 @@ namespace gnomon {
 namespace gap_test {
 
 using namespace testing;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 const Overrides free = {"shape.motion=gap", "body.material=linear"},
                 gap = {"shape.motion=gap", "body.material=linear", "body.element=plain",
@@ -159,6 +166,46 @@ press = { direction = [0.0, 0.0, 1.0], force = 28.2743 }
               1e-6);
 }
 
+/// Flanks that a moving mesh carries along stay where they are, and take the load.
+TEST_F(RoundPin, ForceOnBoundaryThatDoesNotWearIsTold) {
+  folder_.write("foot.geo", R"(
+Point(1) = {-3, 0, 0, 0.2}; Point(2) = {3, 0, 0, 0.2}; Point(3) = {8, 6, 0, 2}; Point(4) = {-8, 6, 0, 2};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1}; Recombine Surface {1};
+Physical Curve("foot") = {1}; Physical Curve("top") = {3}; Physical Surface("block") = {1};
+)");
+  const std::string text = R"(
+problem = "worn_body"
+mesh.file = "foot.geo"
+body = { young_modulus = 2000.0, poisson_ratio = 0.3, material = "linear" }
+support = [ { on = "top" } ]
+wear = { on = ["foot"], coefficient = 3e-8 }
+time.end = 4000.0
+[counter_body]
+shape = "plane"
+normal = [0.0, 1.0]
+center = [0.0, 0.0]
+motion = { velocity = [300.0, 0.0] }
+press = { direction = [0.0, 1.0], force = 60.0 }
+)";
+  const double k_F_v_t = 3e-8 * 60 * 300 * 4000;
+  for (const std::string motion : {"gap", "mesh"}) {
+    const auto block = model(text, {"shape.motion=" + motion});
+    const RunOutcome outcome = run(*block, Integrators::find("esdirk-3", "integrator"),
+                                   controlled_settings(*block, 1e-3, 4000), {}, nullptr, {});
+    const Model& last = outcome.successor ? *outcome.successor : *block;
+    const double worn = observed(last, *outcome.state, "worn_volume") / k_F_v_t;
+    const auto told = Contains(HasSubstr("of the contact force is on boundary that does not wear"));
+    if (motion == "gap") {
+      EXPECT_LT(worn, 0.9);
+      EXPECT_THAT(outcome.warnings, told);
+    } else {
+      EXPECT_NEAR(worn, 1, 1e-3);
+      EXPECT_THAT(outcome.warnings, Not(told));
+    }
+  }
+}
+
 // A moving mesh would end with elements that are worn away.
 TEST(GapMotion, EndsWhereABodyIsWornThrough) {
   const Case& of = cases.front();
@@ -185,8 +232,6 @@ TEST(GapMotion, DoesNotMissWhatIsWornAway) {
 
 TEST(GapMotion, IsProposedWhereItDoes) {
   const Overrides linear = {"body.material=linear"};
-  using ::testing::Contains;
-  using ::testing::HasSubstr;
   EXPECT_THAT(model_of("worn_body/block_on_ring.toml", linear)->proposals,
               Contains(HasSubstr("wear as a gap would do")));
   EXPECT_TRUE(model_of("worn_body/block_on_ring.toml")->proposals.empty());  // finite strains
@@ -343,7 +388,6 @@ TEST(GapMotion, RefusesWhatItCannotKeep) {
     }
     return "";
   };
-  using ::testing::HasSubstr;
   const std::string pin = "pin_on_flat/small_deformation.toml";
   EXPECT_THAT(refusal(pin, {"shape.motion=gap"}), HasSubstr("wear.normal: expected"));
   EXPECT_THAT(

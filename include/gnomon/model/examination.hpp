@@ -94,6 +94,8 @@ struct Examination {
   /// The part of the wear at nodes whose shape is held, so that it is lost; of the body that loses
   /// most.
   double lost_wear = 0;
+  /// Beside a rigid counter-body, the part of the contact force on boundary that does not wear.
+  double unworn_force = 0;
   /// A surface whose contact reaches an end of the mesh of its track; empty: none.
   std::string touched_end{};
   /// Weight of what has worn off, which an acceleration still moves, as a part of the contact
