@@ -63,10 +63,11 @@ def register_integrator(name, make, help="an integrator in Python", order="not k
 
     `make(system, settings)` returns an object with `advance(state, until)`, which returns the State at the end of one
     step, at `until` at the latest: the next time at which a load has a kink or a jump, a state is stored or the run
-    ends. `system.consistent` there gives what holds before a jump, and the next step begins behind it. `settings` has the keys step (0: none is given), rtol, atol, end, scale (the mean
-    wear depth) and max_step (0: none). There is no error control but its own. Its steps are counted, and the Newton
-    iterations of `system.consistent`. `order`: for lists and for every row of the history, if it is a number (2 or "2");
-    a method of variable order sets its attribute `order` in every step.
+    ends. `system.consistent` there gives what holds before a jump, and the next step begins behind it. `settings` has
+    the keys step (0: none is given), rtol, atol, end, scale (the mean wear depth) and max_step (0: none). There is no
+    error control but its own. Its steps are counted, and the Newton iterations of `system.consistent`; wear_integral
+    is by the trapezoidal rule over its steps. `order`: for lists and for every row of the history, if it is a number
+    (2 or "2"); a method of variable order sets its attribute `order` in every step.
 
     >>> import gnomon
     >>> class Euler:
