@@ -296,7 +296,8 @@ void refuse_unknown_key(const std::string& origin, const std::string& name, cons
   for (const Key& key : table)
     if (const std::string expected = misnaming(key.name, name); !expected.empty())
       throw InputError(origin + ": " + expected);
-  const std::string near = key_meant(name, table);
+  std::string near = key_meant(name, table);
+  if (const auto number = near.find('#'); number != near.npos) near[number] = '1';
   throw InputError(fmt::format("{}: unknown key, {}", origin,
                                near.empty() ? fmt::format("expected one of `{}`", help)
                                             : fmt::format("did you mean `{}{}`?", prefix, near)));

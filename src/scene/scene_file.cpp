@@ -121,9 +121,12 @@ private:
     if (gives_table(given.name, given.value, table))
       throw InputError(fmt::format("{}: expected one value, as in --set {}.KEY=VALUE, got a table",
                                    given.origin, given.name));
-    if (const auto array = array_without_number(given.name, table); array && given.name != *array)
+    if (const auto array = array_without_number(given.name, table); array && given.name != *array) {
+      const std::string key = given.name.substr(array->size());
       throw InputError(fmt::format("{}: expected the number of a [[{}]], as in {}.1{}",
-                                   given.origin, *array, *array, given.name.substr(array->size())));
+                                   given.origin, *array, *array,
+                                   key.starts_with(".#") ? key.substr(2) : key));
+    }
     check(given, table, problem);
   }
 
