@@ -3,6 +3,12 @@
 import json
 
 from gnomon import _gnomon
+from gnomon.scenes import Scene
+
+
+def _require_scene(scene):
+    if not isinstance(scene, _gnomon.Scene):
+        raise TypeError(f"expected a gnomon.Scene, got {type(scene).__name__}")
 
 
 def budget(scene):
@@ -16,10 +22,13 @@ def budget(scene):
     >>> [part["source"] for part in found["parts"]]
     ['mesh', 'time', 'solves']
     """
+    _require_scene(scene)
     return json.loads(_gnomon._budget(scene))
 
 
 def plan(scene):
     """The scene with the settings that meet its accuracy.within at the least cost, by pilot runs, and the table of the
     plan as text. A run by gnomon.run(scene) is not checked against it; gnomon.budget(scene) checks."""
-    return _gnomon._plan(scene)
+    _require_scene(scene)
+    planned, table = _gnomon._plan(scene)
+    return Scene._from_text(planned.resolved(), str(planned.path)), table

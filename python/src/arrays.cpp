@@ -60,7 +60,12 @@ void set_nodes(const py::object& given, ImportedMesh& mesh) {
   if (!points) PyErr_Clear();
   if (!points || points.ndim() != 2 || (points.shape(1) != 2 && points.shape(1) != 3))
     throw InputError("points: expected numbers in rows of two, in the plane, or three");
-  mesh.dimension = static_cast<int>(points.shape(1));
+  // Other programs give points of a plane a third coordinate.
+  bool flat = true;
+  if (points.shape(1) == 3)
+    for (py::ssize_t row = 0; row < points.shape(0); ++row)
+      flat = flat && *points.data(row, 2) == 0;
+  mesh.dimension = flat ? 2 : 3;
   for (py::ssize_t row = 0; row < points.shape(0); ++row) {
     std::copy_n(points.data(row, 0), mesh.dimension, mesh.nodes.emplace_back().begin());
     mesh.node_tags.push_back(row);
@@ -120,7 +125,8 @@ using Assembled = std::pair<std::shared_ptr<SharedModel>, std::vector<std::strin
 template <int dim>
 Assembled assembled(const Scene& scene, ImportedMesh mesh, const Groups& facets) {
   const ImportedBody<dim> body =
-      check_mesh<dim>(std::move(mesh), scene.texts("wear.on"), 0, separate_bodies(scene));
+      check_mesh<dim>(std::move(mesh), scene.texts("wear.on"),
+                      static_cast<int>(scene.integer("mesh.split")), separate_bodies(scene));
   for (const auto& [name, unused] : facets) boundary_part(body, name);
   return {std::make_shared<SharedModel>(set_up_again(scene, grid_of(body))), body.remarks};
 }
@@ -129,8 +135,8 @@ Assembled assemble(const Scene& scene, const py::object& points, const py::objec
                    const Groups& facets, const Groups& nodes, const Groups& bodies) {
   if (!Problems::find(scene.text("problem"), "problem").remake)
     throw InputError(scene.where("problem") + ": expected \"worn_body\", which takes a mesh");
-  if (scene.has("mesh.file"))
-    throw InputError(scene.where("mesh.file") + ": expected none beside arrays");
+  for (const char* key : {"mesh.file", "mesh.factor", "mesh.contact_size", "accuracy.within"})
+    if (scene.is_set(key)) throw InputError(scene.where(key) + ": expected none beside arrays");
   ImportedMesh mesh = mesh_of(points, cells, facets, nodes, bodies);
   const py::gil_scoped_release without_interpreter;
   return mesh.dimension == 2 ? assembled<2>(scene, std::move(mesh), facets)

@@ -130,3 +130,29 @@ def test_what_is_wrong_is_refused(change, expected):
 def test_a_scene_with_a_mesh_of_its_own_is_refused():
     with pytest.raises(gnomon.InputError, match="expected none beside arrays"):
         gnomon.assemble(scene({"mesh.file": "block.msh"}), *block())
+
+
+def test_points_of_a_plane_may_have_a_third_number(tmp_path):
+    points, cells, facets = block()
+    flat = numpy.column_stack([points, numpy.zeros(len(points))])
+    worn = [gnomon.run(gnomon.assemble(scene(), given, cells, facets)).history["worn_volume"][-1]
+            for given in (points, flat)]
+    assert worn[0] == worn[1]
+
+
+def test_keys_of_mesh_files_are_refused_or_have_their_effect():
+    for key in ("mesh.factor", "mesh.contact_size", "accuracy.within"):
+        with pytest.raises(gnomon.InputError, match=f"{key}.*: expected none beside arrays"):
+            gnomon.assemble(scene({key: 0.1}), *block())
+    cells = [len(gnomon.assemble(scene({"mesh.split": split}), *block()).grid()["cells"]) for split in (0, 1)]
+    assert cells[1] == 4 * cells[0]
+
+
+def test_a_plan_is_a_scene_and_comes_from_one():
+    example = gnomon.Scene.example("pin_on_flat/small_deformation.toml",
+                                   {"mesh.elements": [6, 6], "time.end": 20, "accuracy.within": 0.5})
+    planned, table = gnomon.plan(example)
+    assert planned["integrator.rtol"] > 0 and planned.with_({"time.end": 10})["time.end"] == 10 and "CPU" in table
+    for ask in (gnomon.plan, gnomon.budget):
+        with pytest.raises(TypeError, match="expected a gnomon.Scene, got Model"):
+            ask(gnomon.Model(gnomon.Scene.example("winkler/pin.toml")))
