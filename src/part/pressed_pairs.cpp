@@ -66,7 +66,9 @@ void require_pressed_pairs(const Scene& scene, const AssemblyParts<dim>& parts) 
   const Foundation<dim> foundation(parts, rigid, parts.mesh.nodes, {});
   const double least = rounding_of_loads * foundation.largest_load();
   const bool overlaps = overlap(parts);
-  if (least == 0 && !overlaps) return;  // find_magnitudes() tells more
+  const auto pulls = [&](const Load<dim>& load) { return !forces_of(load, parts).isZero(0); };
+  if (std::ranges::none_of(parts.loads, pulls) && !overlaps)
+    return;  // find_magnitudes() tells more
   const std::vector<Pose<dim>> at_first(rigid.size(), Pose<dim>::Identity());
   const std::vector<LoadTime> times = load_times(scene, parts.loads);
   const bool changes = loads_change(parts.loads);

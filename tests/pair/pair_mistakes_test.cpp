@@ -157,6 +157,8 @@ TEST(PairMistakes, OfWhatHoldsAndPressesThem) {
           "\"cylinder\" can move along y, and its loads pull it off there"),
       history("a load that ends", "[0.0, 1000.0]", "[1.0, 0.0]",
               "at t = 1000 s \"cylinder\" can move along y, and no load acts on it in this way"),
+      history("a load that never acts", "[0.0, 1000.0]", "[0.0, 0.0]",
+              "\"cylinder\" can move along y, and no load acts on it in this way"),
       history("a load that begins", "[0.0, 1000.0]", "[0.0, 1.0]",
               "at t = 0 s \"cylinder\" can move along y, and no load acts on it in this way"),
       history("a load that pulls before a jump", "[0.0, 500.0, 500.0]", "[1.0, -1.0, 1.0]",
