@@ -24,7 +24,8 @@ public:
         own_(scene_),
         goals_(goals),
         finer_is_cheap_(goals.surface.dim == 2 && 4 * work <= hooks.limit),
-        is_small_(0.5 * work <= always) {
+        is_small_(0.5 * work <= always),
+        may_repeat_(8 * work <= always) {
     budget_.values = goals.values;
   }
 
@@ -113,6 +114,9 @@ private:
     const double factor = Finer(key.controls->source).factor;
     if (!key.controls->scaled(scene_, factor)) return;
     companions_.add(key, [&](BudgetPart& part) {
+      // Nodes that come into contact make errors of their own, on each mesh others.
+      if (part.source == ErrorSource::time && may_repeat_)
+        return companions_.compare(part, {scene_, goals_}, *key.controls->scaled(scene_, factor));
       if (!coarse_) coarse_ = cheap(own_, "the same mesh");
       const Trial& base = part.source == ErrorSource::model ? with_own_models() : *coarse_;
       const auto scene = key.controls->scaled(base.scene, factor);
@@ -138,6 +142,7 @@ private:
   bool simpler_ = true;
   bool finer_is_cheap_;  ///< in space it would take eight times the memory of the run
   bool is_small_;  ///< companions on elements of twice the size take half of its work, all together
+  bool may_repeat_;  ///< the run itself with a smaller tolerance, as often as that takes steps
 };
 
 }  // namespace

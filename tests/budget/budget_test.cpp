@@ -199,5 +199,27 @@ TEST(QuickBudget, EndsWhereTheUserOrTheLimitDoes) {
   for (const BudgetPart& part : limited.parts) EXPECT_FALSE(part.unknown.empty());
 }
 
+/// Nodes that come into contact make the largest part of it, which depends on the mesh.
+TEST(QuickBudget, OfASmallRunHasItsTimeErrorOnItsOwnMesh) {
+  const auto goals_at = [](const std::string& rtol) {
+    const Scene scene =
+        checked_scene(shipped("pin_on_flat/small_deformation.toml"),
+                      {"mesh.elements=[24,8]", "integrator.name=esdirk-3", "time.end=400",
+                       "wear.rate=\"k*p*v*sqrt(p/2)\"", "integrator.rtol=" + rtol});
+    const gnomon::Setup setup = set_up(scene);
+    const ModelRun run = run_model(*setup.model, "esdirk-3", 0, scene.real("integrator.rtol"), 400);
+    return std::pair(setup.scene,
+                     goals_of(*setup.model, run.last(), setup.model->observe(run.last())).value());
+  };
+  const auto [scene, goals] = goals_at("1e-3");
+  const Goals fine = goals_at("1e-7").second;
+  const Budget budget = quick_budget(scene, goals, 1e6, {});
+  const BudgetPart& time = part(budget, ErrorSource::time);
+  for (const char* name : {"worn_volume", "wear_depth"}) {
+    const std::size_t i = index_of(budget, name);
+    expect_effectivity(time.errors[i], std::abs(goals.values[i].value / fine.values[i].value - 1));
+  }
+}
+
 }  // namespace
 }  // namespace gnomon::budget_test
