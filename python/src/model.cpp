@@ -238,7 +238,9 @@ void add_system(py::module_& module) {
                                const auto& flags = self.structure().differential;
                                return array(std::vector<char>(flags)).attr("astype")("bool");
                              }),
-                             "Which unknowns are differential: the positions of the worn surface.")
+                             "Which unknowns are differential: the positions of the worn surface, "
+                             "and with friction.stick the memory of slip, which follows within a "
+                             "cycle (stiff).")
       .def_property_readonly("row_scale", held([](const SystemHandle& self) {
                                return array(self.structure().row_scale);
                              }),

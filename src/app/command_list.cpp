@@ -42,6 +42,13 @@ std::string list_entries() {
   return table.text();
 }
 
+std::string list_materials() {
+  TextTable table("ll");
+  table.add({"linear", "Hooke's law with small strains"});
+  for (const MaterialLaw& law : Registry<MaterialLaw>::all()) table.add({law.name, law.help});
+  return table.text();
+}
+
 std::string list_shapes() {
   TextTable table("lll");
   for (const CounterShapeKind& kind : Registry<CounterShapeKind>::all()) {
@@ -81,7 +88,7 @@ std::string list_files(bool studies) {
 const std::map<std::string, std::string (*)()> lists = {
     {"integrators", list_integrators},
     {"laws", list_entries<WearLawKind>},
-    {"materials", list_entries<MaterialLaw>},
+    {"materials", list_materials},
     {"problems", list_entries<Problem>},
     {"scenes", [] { return list_files(false); }},
     {"shapes", list_shapes},

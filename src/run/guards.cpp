@@ -65,7 +65,7 @@ void DampingWatch::require_damping(const State& state) {
   if (per_step <= most_per_step && steps * std::log(per_step) <= std::log(most_left)) return;
   const double critical = critical_step(table, {&*mode, 1}).step;
   throw SolutionError(
-      std::isfinite(critical)
+      critical < settings_.step
           ? fmt::format("steps of {:g} s exceed the critical one of {} at t = {:g} s, {:.3g} s "
                         "(gnomon stability)",
                         settings_.step, integrator_.name, state.t, critical)
