@@ -36,6 +36,7 @@ set(gnomon_public_headers
   gnomon/integrators/integrator.hpp  # integrators
   gnomon/integrators/one_step.hpp    # one-step methods
   gnomon/integrators/stepper.hpp     # and what drives them
+  gnomon/integrators/stop_times.hpp  # where steps end
   gnomon/integrators/diagonally_implicit.hpp
   gnomon/integrators/rates.hpp       # rates of a consistent state
   gnomon/newton/algebraic_solver.hpp # algebraic components of a state
