@@ -252,6 +252,8 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
     return report;
   };
   contact.numbering().gather(values, y);
+  // Without load the bodies only touch: from deeper, small loads would seem to part them.
+  for (const Approach& at : approaches) y[at.q] = at.touching;
   RampReport report = ramp_load(solve, options, y);
   contact.numbering().scatter(y, values);
   return report;

@@ -443,6 +443,20 @@ TEST_F(PairFretting, JacobianEqualsFiniteDifferences) {
   check_jacobian(model->system(), 0, y, 0.2, &branch, 3e-5);
 }
 
+/// The path begins where hardly anything presses the bodies, and the more so, the same.
+TEST_F(PairFretting, StartsFromAVanishingLoad) {
+  std::vector<double> work;
+  for (const double least : {1e-2, 1e-3, 1e-4}) {
+    const auto model = this->model(
+        similar(), {"mesh.file=coarse_two.geo", "motion.1.cycle.x=\"0.01*(1-4*abs(tau-0.5))\"",
+                    fmt::format("cycle.load=\"max({}, sin(2*pi*tau))\"", least), "cycle.phases=8"});
+    Counters counters;
+    work.push_back(observed(*model, model->start(counters), "friction_work"));
+  }
+  EXPECT_NEAR(work[1] / work[0], 1, 0.02);
+  EXPECT_NEAR(work[2] / work[1], 1, 0.002);
+}
+
 TEST_F(PairFretting, ExplicitMethodsWearAsImplicitOnes) {
   std::vector<double> worn, work;
   for (const char* name : {"esdirk-3", "erk-2"}) {
