@@ -135,8 +135,10 @@ Assembled assemble(const Scene& scene, const py::object& points, const py::objec
                    const Groups& facets, const Groups& nodes, const Groups& bodies) {
   if (!Problems::find(scene.text("problem"), "problem").remake)
     throw InputError(scene.where("problem") + ": expected \"worn_body\", which takes a mesh");
+  // Scene.with_ of Python gives all keys, those with defaults too.
   for (const char* key : {"mesh.file", "mesh.factor", "mesh.contact_size", "accuracy.within"})
-    if (scene.is_set(key)) throw InputError(scene.where(key) + ": expected none beside arrays");
+    if (scene.has(key) && !scene.is_default(key))
+      throw InputError(scene.where(key) + ": expected none beside arrays");
   ImportedMesh mesh = mesh_of(points, cells, facets, nodes, bodies);
   const py::gil_scoped_release without_interpreter;
   return mesh.dimension == 2 ? assembled<2>(scene, std::move(mesh), facets)

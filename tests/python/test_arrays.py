@@ -144,6 +144,7 @@ def test_keys_of_mesh_files_are_refused_or_have_their_effect():
     for key in ("mesh.factor", "mesh.contact_size", "accuracy.within"):
         with pytest.raises(gnomon.InputError, match=f"{key}.*: expected none beside arrays"):
             gnomon.assemble(scene({key: 0.1}), *block())
+    gnomon.assemble(scene().with_({"time.end": 40}), *block())
     cells = [len(gnomon.assemble(scene({"mesh.split": split}), *block()).grid()["cells"]) for split in (0, 1)]
     assert cells[1] == 4 * cells[0]
 
