@@ -12,12 +12,18 @@ namespace gnomon {
 
 namespace {
 
+/// Not only that of numbers beside zero.
+bool has_worn(const Observation& last, const IntegratorSettings& settings) {
+  constexpr double nothing = 1e-9;
+  return value_of(last, "wear_depth").value_or(0) > nothing * settings.scale;
+}
+
 /// Where atol is that of the expected depth.
 std::string tolerance_warning(const Observation& last, const IntegratorSettings& settings) {
   constexpr double much = 5;
   const double depth = value_of(last, "wear_depth").value_or(0);
-  if (settings.step > 0 || !(depth > 0) || settings.atol != settings.rtol * settings.scale ||
-      settings.scale <= much * depth)
+  if (settings.step > 0 || !has_worn(last, settings) ||
+      settings.atol != settings.rtol * settings.scale || settings.scale <= much * depth)
     return {};
   return fmt::format(
       "steps were allowed errors for a mean wear depth of {:.2g}, which was expected, and the "
@@ -26,11 +32,14 @@ std::string tolerance_warning(const Observation& last, const IntegratorSettings&
 }
 
 /// Of a difference of volumes that hardly differ.
-std::string rounding_warning(const Observation& last, double invisible) {
+std::string rounding_warning(const Observation& last, double invisible,
+                             const IntegratorSettings& settings) {
   constexpr double most = 0.05;
   const double integral = value_of(last, "wear_integral").value_or(0),
                difference = std::abs(wear_difference(last).value_or(0));
-  if (integral == 0 || difference > invisible || difference <= most * std::abs(integral)) return {};
+  if (integral == 0 || !has_worn(last, settings) || difference > invisible ||
+      difference <= most * std::abs(integral))
+    return {};
   return fmt::format(
       "the worn volume of {:.3g} is lost in the rounding of the volume of the bodies; the wear "
       "integral, {:.3g}, is not",
@@ -54,7 +63,8 @@ std::vector<std::string> end_warnings(const Observation& last, double invisible,
         "where the surface cannot wear, the end of the contact zone or a held side; then pressures "
         "and shape are worthless",
         *value_of(last, "worn_volume"), *value_of(last, "wear_integral")));
-  for (std::string text : {tolerance_warning(last, settings), rounding_warning(last, invisible)})
+  for (std::string text :
+       {tolerance_warning(last, settings), rounding_warning(last, invisible, settings)})
     if (!text.empty()) warnings.push_back(std::move(text));
   return warnings;
 }

@@ -45,12 +45,15 @@ TEST(EndWarnings, TellOfAToleranceForDeeperWear) {
 }
 
 TEST(EndWarnings, TellOfAVolumeThatIsRounding) {
-  const auto of = [](double volume, double integral) {
-    return end_warnings(worn(volume, integral), 1e-14, 0, integrator("bdf"), {});
+  const auto of = [](double volume, double integral, double depth) {
+    Observation last = worn(volume, integral);
+    last.push_back(common("wear_depth", depth));
+    return end_warnings(last, 1e-14, 0, integrator("bdf"), {.scale = 1e-16});
   };
-  EXPECT_THAT(of(6.7e-16, 5e-16), ElementsAre(HasSubstr("of 6.7e-16 is lost in the rounding")));
-  EXPECT_THAT(of(1.04, 1), IsEmpty());
-  EXPECT_THAT(of(0, 0), IsEmpty());
+  EXPECT_THAT(of(6.7e-16, 5e-16, 1e-16), ElementsAre(HasSubstr("of 6.7e-16 is lost in the")));
+  EXPECT_THAT(of(6.7e-16, 5e-16, 1e-100), IsEmpty());  // nothing wears
+  EXPECT_THAT(of(1.04, 1, 1e-16), IsEmpty());
+  EXPECT_THAT(of(0, 0, 0), IsEmpty());
 }
 
 TEST(LostWear, IsMoreThanATenthOfTheIntegral) {
