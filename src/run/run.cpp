@@ -41,8 +41,9 @@ public:
       from ? resume(*from) : start();
       outcome_.status = integrate();
     } catch (const SolutionError& error) {
-      outcome_.status = Status::failed;
-      outcome_.diagnosis = error.what() + jumps_->suspicion(state());
+      fail(error);
+    } catch (const RecoverableError& error) {  // of a state that no solver has proposed: the start
+      fail(error);
     } catch (const std::exception& error) {
       close_quietly(error.what());
       throw;
@@ -70,6 +71,11 @@ public:
   }
 
 private:
+  void fail(const Error& error) {
+    outcome_.status = Status::failed;
+    outcome_.diagnosis = error.what() + jumps_->suspicion(state());
+  }
+
   void judge() {
     outcome_.budget = hooks_.judge(model(), state(), observed_);
     if (writer_ && !outcome_.budget.empty()) writer_->write_budget(outcome_.budget);
