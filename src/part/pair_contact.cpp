@@ -153,6 +153,35 @@ void tell_of_edges(AssemblyParts<dim>& parts) {
                     one, other));
 }
 
+/// By pair: facets, by sorted nodes, of wearing surfaces that no other pair touches, but for those
+/// that share a node with what another one touches.
+template <int dim>
+std::vector<std::set<typename Mesh<dim>::Facet>> own_surfaces(
+    const std::vector<Surface<dim>>& wearing, const std::vector<MortarPair<dim>>& pairs) {
+  std::vector<std::set<int>> touched;  // nodes, by pair
+  for (const MortarPair<dim>& pair : pairs) {
+    touched.push_back(nodes_of_facets(pair.slave));
+    touched.back().merge(nodes_of_facets(pair.master));
+  }
+  std::vector<std::set<typename Mesh<dim>::Facet>> own(pairs.size());
+  for (const Surface<dim>& surface : wearing) {
+    const auto meets = [&](const std::set<int>& nodes) {
+      return std::ranges::any_of(surface.facets, [&](const auto& facet) {
+        return std::ranges::all_of(facet, [&](int node) { return nodes.contains(node); });
+      });
+    };
+    if (std::ranges::count_if(touched, meets) != 1) continue;
+    const auto only = std::ranges::find_if(touched, meets);
+    for (const auto& facet : surface.facets)
+      if (std::ranges::none_of(touched, [&](const std::set<int>& nodes) {
+            return &nodes != &*only &&
+                   std::ranges::any_of(facet, [&](int node) { return nodes.contains(node); });
+          }))
+        own[static_cast<std::size_t>(only - touched.begin())].insert(sorted(facet));
+  }
+  return own;
+}
+
 }  // namespace
 
 template <int dim>
@@ -164,19 +193,16 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   std::vector<std::vector<Vector<dim>>> touching;  // in space
   for (const auto& places : instants)
     touching.push_back(in_space(parts.pairs, places, RigidBalance<dim>(parts, places).x));
-  std::set<typename Mesh<dim>::Facet> wearing;  // by sorted nodes
-  for (const Surface<dim>& surface : wearing_surfaces(scene, part))
-    for (const auto& facet : surface.facets) wearing.insert(sorted(facet));
   std::vector<std::string> reasons;
+  std::vector<std::vector<Vector<dim>>> nearest;  // by pair
   for (MortarPair<dim>& pair : parts.pairs) {
     // Facets of a shaft and its bore have gaps of their own.
     std::vector<double> gaps;
     for (const auto& x : touching) gaps.push_back(gap_of(pair, x));
     const auto least = std::ranges::min_element(gaps);
     const double gap = *least;
-    const auto& nearest = touching[static_cast<std::size_t>(least - gaps.begin())];
-    const double reach = closed + gap + mean_size<dim>(pair.slave, nearest) / 2;
-    pair.reach = reach;
+    nearest.push_back(touching[static_cast<std::size_t>(least - gaps.begin())]);
+    pair.reach = closed + gap + mean_size<dim>(pair.slave, nearest.back()) / 2;
     keep_facing_at<dim>(touching, parts.section(), pair);
     if (pair.slave.empty())
       throw InputError(fmt::format(
@@ -184,15 +210,19 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
           "loads and supports bring them nearer by about {:.3g} mm",
           scene.path().string(), pair.bodies[0], pair.bodies[1], gap, closed / 3));
     std::string reason = parts.interface.sticks ? choose_covered(parts, pair) : "";
-    if (reason.empty()) reason = choose_slave<dim>(nearest, parts.section(), parts.bodies, pair);
+    if (reason.empty())
+      reason = choose_slave<dim>(nearest.back(), parts.section(), parts.bodies, pair);
     if (parts.interface.rolling && choose_track(scene, parts, pair))
       reason = "its material rolls along a path";
     reasons.push_back(std::move(reason));
-    // Surfaces of several pairs go on to where the other one begins: each has what is near.
-    const bool alone = parts.pairs.size() == 1;
-    join_beside<dim>(nearest, pair,
-                     [&](const auto& facet) { return alone && wearing.contains(sorted(facet)); });
-    pair.reach = 2 * (reach + mean_size<dim>(pair.slave, nearest));
+  }
+  const std::vector<std::set<typename Mesh<dim>::Facet>> own =
+      own_surfaces(wearing_surfaces(scene, part), parts.pairs);
+  for (std::size_t k = 0; k < parts.pairs.size(); ++k) {
+    MortarPair<dim>& pair = parts.pairs[k];
+    join_beside<dim>(nearest[k], pair,
+                     [&](const auto& facet) { return own[k].contains(sorted(facet)); });
+    pair.reach = 2 * (pair.reach + mean_size<dim>(pair.slave, nearest[k]));
   }
   tell_slaves_apart(scene, parts.pairs, reasons);
   for (std::size_t k = 0; k < reasons.size(); ++k)

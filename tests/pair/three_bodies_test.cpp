@@ -1,5 +1,7 @@
 // A body between two others, and one whose track passes below two others.
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <map>
 
@@ -158,6 +160,61 @@ path = 125.6637
 [time]
 end = 1e4
 )";
+
+/// A plate that slides between two blocks, whose edges lie on its nodes and move over them as the
+/// blocks shear: k N v t of each surface.
+TEST_F(ThreeBodies, APlateWearsBetweenTwoBlocks) {
+  const auto block = [](int first, double half, double low, double high, int across, int up,
+                        const std::string& names) {
+    return fmt::format(R"(Point({0}) = {{-{4}, {5}, 0}}; Point({1}) = {{{4}, {5}, 0}};
+Point({2}) = {{{4}, {6}, 0}}; Point({3}) = {{-{4}, {6}, 0}};
+Line({0}) = {{{0}, {1}}}; Line({1}) = {{{1}, {2}}}; Line({2}) = {{{2}, {3}}}; Line({3}) = {{{3}, {0}}};
+Curve Loop({0}) = {{{0} : {3}}}; Plane Surface({0}) = {{{0}}};
+Transfinite Curve {{{0}, {2}}} = {7}; Transfinite Curve {{{1}, {3}}} = {8};
+Transfinite Surface {{{0}}}; Recombine Surface {{{0}}};
+{9}
+)",
+                       first, first + 1, first + 2, first + 3, half, low, high, across + 1, up + 1,
+                       names);
+  };
+  folder_.write(
+      "stack.geo",
+      block(1, 6, -5, 0, 24, 6,
+            "Physical Surface(\"bottom\") = {1}; Physical Curve(\"base\") = {1};\n"
+            "Physical Curve(\"below\") = {3};") +
+          block(11, 15, 0, 3, 75, 4,
+                "Physical Surface(\"plate\") = {11}; Physical Curve(\"lower\") = {11};\n"
+                "Physical Curve(\"upper\") = {13}; Physical Curve(\"ends\") = {12, 14};") +
+          block(21, 5, 3, 7, 20, 5,
+                "Physical Surface(\"top\") = {21}; Physical Curve(\"above\") = {21};\n"
+                "Physical Curve(\"press\") = {23};"));
+  const auto model = this->model(R"toml(problem = "worn_body"
+mesh.file = "stack.geo"
+body = [ { name = "bottom", young_modulus = 3e3, poisson_ratio = 0.3, material = "linear" },
+         { name = "plate", young_modulus = 7e4, poisson_ratio = 0.3, material = "linear" },
+         { name = "top", young_modulus = 2e3, poisson_ratio = 0.3, material = "linear" } ]
+pair = [ { bodies = ["bottom", "plate"], friction = 0.1 },
+         { bodies = ["plate", "top"], friction = 0.2 } ]
+motion = [ { body = "plate", velocity = [50.0, 0.0] } ]
+support = [ { on = "base" }, { on = "ends", directions = ["x"] },
+            { on = "press", directions = ["x"] } ]
+load = [ { on = "press", force = [0.0, -20.0] } ]
+time.end = 1000
+[wear]
+on = ["below", "lower", "upper", "above"]
+surfaces.below.coefficient = 1e-8
+surfaces.lower.coefficient = 2e-8
+surfaces.upper.coefficient = 3e-8
+surfaces.above.coefficient = 5e-8
+)toml",
+                                 {});
+  const State end = run_model(*model, "esdirk-3", 0, 1e-3, 1000).last();
+  for (const auto& [body, k] :
+       {std::pair{"bottom", 1e-8}, std::pair{"plate", 5e-8}, std::pair{"top", 5e-8}})
+    EXPECT_NEAR(observed(*model, end, std::string("worn_volume_") + body) / (k * 20 * 50 * 1000), 1,
+                1e-3)
+        << body;
+}
 
 // By k F v t, and what the rim loses under each shoe is what this loses by the ratio of their k.
 TEST_F(ThreeBodies, TwoShoesWearOneDrum) {
