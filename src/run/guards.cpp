@@ -83,17 +83,25 @@ void require_no_chattering(long chattering_nodes, const Integrator& integrator) 
                     chattering_nodes, integrator.name));
 }
 
+namespace {
+/// Steps of multistep methods may need no iteration.
+long work_of(const Counters& counters) {
+  return counters.newton_iterations + counters.steps;
+}
+}  // namespace
+
 ProgressWatch::ProgressWatch(double t, const Counters& counters, double end)
-    : t_(t), newton_iterations_(counters.newton_iterations), end_(end) {}
+    : t_(t), work_(work_of(counters)), end_(end) {}
 
 void ProgressWatch::require(double t, const Counters& counters) {
   constexpr double least_progress = 1e-5;  // part of the length of the run
-  const long iterations = counters.newton_iterations - newton_iterations_;
-  if (iterations < most_newton_iterations) return;
+  const long work = work_of(counters) - work_;
+  if (work < most_newton_iterations) return;
   if (t - t_ < least_progress * end_)
-    throw SolutionError(fmt::format(
-        "lack of progress: the last {} Newton iterations went from t = {:.9g} s to {:.9g} s",
-        iterations, t_, t));
+    throw SolutionError(
+        fmt::format("lack of progress: the last {} Newton iterations and steps "
+                    "went from t = {:.9g} s to {:.9g} s",
+                    work, t_, t));
   *this = ProgressWatch(t, counters, end_);
 }
 

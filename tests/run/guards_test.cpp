@@ -26,7 +26,14 @@ TEST(ProgressWatch, EndsARunThatGoesNowhereFor5000Iterations) {
   EXPECT_THAT(
       [&] { watch.require(10.0099, counters); },
       ::testing::ThrowsMessage<SolutionError>(HasSubstr(
-          "lack of progress: the last 5000 Newton iterations went from t = 10 s to 10.0099")));
+          "lack of progress: the last 5000 Newton iterations and steps went from t = 10 s to")));
+}
+
+TEST(ProgressWatch, CountsStepsThatNeedNoIteration) {
+  Counters counters;
+  ProgressWatch watch(10, counters, 1000);
+  counters.steps = 5000;
+  EXPECT_THROW(watch.require(10.002, counters), SolutionError);
 }
 
 TEST(ProgressWatch, BeginsAnewWhereTheRunHasProgressed) {
