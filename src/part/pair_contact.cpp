@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -153,31 +154,40 @@ void tell_of_edges(AssemblyParts<dim>& parts) {
                     one, other));
 }
 
-/// By pair: facets, by sorted nodes, of wearing surfaces that no other pair touches, but for those
-/// that share a node with what another one touches.
+/// By pair: facets, by sorted nodes, of wearing surfaces whose nodes are nearer to what the pair
+/// touches than to what others do. A surface that several pairs touch is divided between them.
 template <int dim>
 std::vector<std::set<typename Mesh<dim>::Facet>> own_surfaces(
-    const std::vector<Surface<dim>>& wearing, const std::vector<MortarPair<dim>>& pairs) {
-  std::vector<std::set<int>> touched;  // nodes, by pair
-  for (const MortarPair<dim>& pair : pairs) {
-    touched.push_back(nodes_of_facets(pair.slave));
-    touched.back().merge(nodes_of_facets(pair.master));
-  }
+    const std::vector<Surface<dim>>& wearing, const std::vector<MortarPair<dim>>& pairs,
+    const std::vector<Vector<dim>>& x) {
   std::vector<std::set<typename Mesh<dim>::Facet>> own(pairs.size());
   for (const Surface<dim>& surface : wearing) {
-    const auto meets = [&](const std::set<int>& nodes) {
-      return std::ranges::any_of(surface.facets, [&](const auto& facet) {
-        return std::ranges::all_of(facet, [&](int node) { return nodes.contains(node); });
-      });
+    const std::set<int> nodes = nodes_of_facets(surface.facets);
+    std::vector<std::pair<std::size_t, std::vector<int>>> touched;  // by pair that touches it
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      std::set<int> of_pair = nodes_of_facets(pairs[k].slave);
+      of_pair.merge(nodes_of_facets(pairs[k].master));
+      std::vector<int> common;
+      std::ranges::set_intersection(nodes, of_pair, std::back_inserter(common));
+      if (!common.empty()) touched.emplace_back(k, std::move(common));
+    }
+    if (touched.empty()) continue;
+    const auto nearest = [&](int node) {
+      const auto away = [&](const auto& of) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const int other : of.second) least = std::min(least, (x[node] - x[other]).norm());
+        return least;
+      };
+      return std::ranges::min_element(touched, {}, away)->first;
     };
-    if (std::ranges::count_if(touched, meets) != 1) continue;
-    const auto only = std::ranges::find_if(touched, meets);
-    for (const auto& facet : surface.facets)
-      if (std::ranges::none_of(touched, [&](const std::set<int>& nodes) {
-            return &nodes != &*only &&
-                   std::ranges::any_of(facet, [&](int node) { return nodes.contains(node); });
-          }))
-        own[static_cast<std::size_t>(only - touched.begin())].insert(sorted(facet));
+    std::map<int, std::size_t> owner;
+    for (const int node : nodes)
+      owner[node] = touched.size() == 1 ? touched.front().first : nearest(node);
+    for (const auto& facet : surface.facets) {
+      const std::size_t pair = owner.at(facet.front());
+      if (std::ranges::all_of(facet, [&](int node) { return owner.at(node) == pair; }))
+        own[pair].insert(sorted(facet));
+    }
   }
   return own;
 }
@@ -217,7 +227,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
     reasons.push_back(std::move(reason));
   }
   const std::vector<std::set<typename Mesh<dim>::Facet>> own =
-      own_surfaces(wearing_surfaces(scene, part), parts.pairs);
+      own_surfaces(wearing_surfaces(scene, part), parts.pairs, parts.mesh.nodes);
   for (std::size_t k = 0; k < parts.pairs.size(); ++k) {
     MortarPair<dim>& pair = parts.pairs[k];
     join_beside<dim>(nearest[k], pair,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -161,59 +162,88 @@ path = 125.6637
 end = 1e4
 )";
 
-/// A plate that slides between two blocks, whose edges lie on its nodes and move over them as the
-/// blocks shear: k N v t of each surface.
-TEST_F(ThreeBodies, APlateWearsBetweenTwoBlocks) {
-  const auto block = [](int first, double half, double low, double high, int across, int up,
-                        const std::string& names) {
-    return fmt::format(R"(Point({0}) = {{-{4}, {5}, 0}}; Point({1}) = {{{4}, {5}, 0}};
-Point({2}) = {{{4}, {6}, 0}}; Point({3}) = {{-{4}, {6}, 0}};
+/// A rectangle with a grid of this many elements. `names`: of its curves first, ..., first + 3,
+/// from the lower one on.
+std::string block(int first, std::array<double, 2> x, std::array<double, 2> y, int across, int up,
+                  const std::string& names) {
+  return fmt::format(R"(Point({0}) = {{{4}, {6}, 0}}; Point({1}) = {{{5}, {6}, 0}};
+Point({2}) = {{{5}, {7}, 0}}; Point({3}) = {{{4}, {7}, 0}};
 Line({0}) = {{{0}, {1}}}; Line({1}) = {{{1}, {2}}}; Line({2}) = {{{2}, {3}}}; Line({3}) = {{{3}, {0}}};
 Curve Loop({0}) = {{{0} : {3}}}; Plane Surface({0}) = {{{0}}};
-Transfinite Curve {{{0}, {2}}} = {7}; Transfinite Curve {{{1}, {3}}} = {8};
+Transfinite Curve {{{0}, {2}}} = {8}; Transfinite Curve {{{1}, {3}}} = {9};
 Transfinite Surface {{{0}}}; Recombine Surface {{{0}}};
-{9}
+{10}
 )",
-                       first, first + 1, first + 2, first + 3, half, low, high, across + 1, up + 1,
-                       names);
-  };
+                     first, first + 1, first + 2, first + 3, x[0], x[1], y[0], y[1], across + 1,
+                     up + 1, names);
+}
+
+constexpr const char* three_blocks = R"toml(problem = "worn_body"
+body = [ { name = "one", young_modulus = 3e3, poisson_ratio = 0.3, material = "linear" },
+         { name = "plate", young_modulus = 7e4, poisson_ratio = 0.3, material = "linear" },
+         { name = "two", young_modulus = 2e3, poisson_ratio = 0.3, material = "linear" } ]
+pair = [ { bodies = ["one", "plate"], friction = 0.1 }, { bodies = ["plate", "two"], friction = 0.2 } ]
+motion = [ { body = "plate", velocity = [50.0, 0.0] } ]
+time.end = 1000
+)toml";
+
+class ThreeBlocks : public ThreeBodies {
+protected:
+  /// What each wears, by k N v t.
+  void expect_worn(const std::string& scene, double one, double plate, double two) {
+    const auto model = this->model(three_blocks + scene, {});
+    const State end = run_model(*model, "esdirk-3", 0, 1e-3, 1000).last();
+    for (const auto& [body, k_N] : {std::pair{"one", one}, {"plate", plate}, {"two", two}})
+      EXPECT_NEAR(observed(*model, end, std::string("worn_volume_") + body) / (k_N * 50 * 1000), 1,
+                  1e-3)
+          << body;
+  }
+};
+
+/// Edges of the blocks lie on nodes of the plate, and move over them as the blocks shear.
+TEST_F(ThreeBlocks, APlateWearsBetweenTwo) {
   folder_.write(
       "stack.geo",
-      block(1, 6, -5, 0, 24, 6,
-            "Physical Surface(\"bottom\") = {1}; Physical Curve(\"base\") = {1};\n"
+      block(1, {-6, 6}, {-5, 0}, 24, 6,
+            "Physical Surface(\"one\") = {1}; Physical Curve(\"base\") = {1};\n"
             "Physical Curve(\"below\") = {3};") +
-          block(11, 15, 0, 3, 75, 4,
+          block(11, {-15, 15}, {0, 3}, 75, 4,
                 "Physical Surface(\"plate\") = {11}; Physical Curve(\"lower\") = {11};\n"
                 "Physical Curve(\"upper\") = {13}; Physical Curve(\"ends\") = {12, 14};") +
-          block(21, 5, 3, 7, 20, 5,
-                "Physical Surface(\"top\") = {21}; Physical Curve(\"above\") = {21};\n"
+          block(21, {-5, 5}, {3, 7}, 20, 5,
+                "Physical Surface(\"two\") = {21}; Physical Curve(\"above\") = {21};\n"
                 "Physical Curve(\"press\") = {23};"));
-  const auto model = this->model(R"toml(problem = "worn_body"
-mesh.file = "stack.geo"
-body = [ { name = "bottom", young_modulus = 3e3, poisson_ratio = 0.3, material = "linear" },
-         { name = "plate", young_modulus = 7e4, poisson_ratio = 0.3, material = "linear" },
-         { name = "top", young_modulus = 2e3, poisson_ratio = 0.3, material = "linear" } ]
-pair = [ { bodies = ["bottom", "plate"], friction = 0.1 },
-         { bodies = ["plate", "top"], friction = 0.2 } ]
-motion = [ { body = "plate", velocity = [50.0, 0.0] } ]
-support = [ { on = "base" }, { on = "ends", directions = ["x"] },
-            { on = "press", directions = ["x"] } ]
+  expect_worn(R"(mesh.file = "stack.geo"
+support = [ { on = "base" }, { on = "ends", directions = ["x"] }, { on = "press", directions = ["x"] } ]
 load = [ { on = "press", force = [0.0, -20.0] } ]
-time.end = 1000
-[wear]
-on = ["below", "lower", "upper", "above"]
-surfaces.below.coefficient = 1e-8
-surfaces.lower.coefficient = 2e-8
-surfaces.upper.coefficient = 3e-8
-surfaces.above.coefficient = 5e-8
-)toml",
-                                 {});
-  const State end = run_model(*model, "esdirk-3", 0, 1e-3, 1000).last();
-  for (const auto& [body, k] :
-       {std::pair{"bottom", 1e-8}, std::pair{"plate", 5e-8}, std::pair{"top", 5e-8}})
-    EXPECT_NEAR(observed(*model, end, std::string("worn_volume_") + body) / (k * 20 * 50 * 1000), 1,
-                1e-3)
-        << body;
+wear.on = ["below", "lower", "upper", "above"]
+wear.surfaces = { below = { coefficient = 1e-8 }, lower = { coefficient = 2e-8 }, upper = { coefficient = 3e-8 }, above = { coefficient = 5e-8 } }
+)",
+              1e-8 * 20, 5e-8 * 20, 5e-8 * 20);
+}
+
+/// A surface below two blocks is divided between them.
+TEST_F(ThreeBlocks, APlateWearsBelowTwo) {
+  const std::string blocks =
+      block(1, {-9, -3}, {0, 4}, 12, 5,
+            "Physical Surface(\"one\") = {1}; Physical Curve(\"sole 1\") = {1};\n"
+            "Physical Curve(\"top 1\") = {3};") +
+      block(21, {3, 9}, {0, 4}, 12, 5,
+            "Physical Surface(\"two\") = {21}; Physical Curve(\"sole 2\") = {21};\n"
+            "Physical Curve(\"top 2\") = {23};");
+  for (const int across : {75, 40}) {  // the plate's mesh is the finer one, or the coarser
+    folder_.write("pads.geo", blocks + block(11, {-15, 15}, {-3, 0}, across, 4,
+                                             "Physical Surface(\"plate\") = {11};\n"
+                                             "Physical Curve(\"base\") = {11};\n"
+                                             "Physical Curve(\"face\") = {13};"));
+    expect_worn(R"(mesh.file = "pads.geo"
+support = [ { on = "base" }, { on = "top 1", directions = ["x"] }, { on = "top 2", directions = ["x"] } ]
+load = [ { on = "top 1", force = [0.0, -20.0] }, { on = "top 2", force = [0.0, -40.0] } ]
+wear.on = ["face", "sole 1", "sole 2"]
+wear.surfaces = { face = { coefficient = 1e-8 }, "sole 1" = { coefficient = 2e-8 }, "sole 2" = { coefficient = 3e-8 } }
+)",
+                2e-8 * 20, 1e-8 * 60, 3e-8 * 40);
+  }
 }
 
 // By k F v t, and what the rim loses under each shoe is what this loses by the ratio of their k.
