@@ -317,7 +317,11 @@ private:
 
 std::unique_ptr<Stepper> make_erk(const System& system, const IntegratorSettings& settings,
                                   Counters& counters, const ButcherTable& table) {
-  return std::make_unique<ErkSolver>(system, settings, counters, checked_table(table));
+  if (!is_explicit(checked_table(table)) || table.embedded_order == 0)
+    throw RegistrationError(fmt::format(
+        "the Runge-Kutta table \"{}\": expected an explicit one with an embedded method",
+        table.name));
+  return std::make_unique<ErkSolver>(system, settings, counters, table);
 }
 
 }  // namespace gnomon

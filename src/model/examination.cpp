@@ -239,15 +239,16 @@ void examine_rolling(const WornBodyEquations<dim>& equations, const FieldValues<
   const PowerOfRolling power =
       power_of_rolling(assembly, equations.moved_on_partner(values), nodes);
   facts.without_friction = power.without_friction;
-  constexpr double similar = 0.01;
-  const double rounding =
-      1e-9 * assembly.copies * assembly.scales.force * assembly.interface.rolling->velocity.norm();
-  if (power.dissipated > rounding) facts.upwind_power = power.upwind / power.dissipated;
-  if (std::abs(dundurs_of(assembly.bodies, assembly.pairs)) < similar) {
-    const double driving = driving_power(assembly, nodes, equations.creepage(values));
-    if (std::max(driving, power.dissipated) > rounding)
-      facts.power_by_driving = power.dissipated / driving;
-  }
+  const double sliding =
+      assembly.copies * assembly.scales.force * assembly.interface.rolling->velocity.norm();
+  constexpr double rounding = 1e-9, similar = 0.01;
+  if (power.dissipated > rounding * sliding) facts.upwind_power = power.upwind / power.dissipated;
+  if (std::abs(dundurs_of(assembly.bodies, assembly.pairs)) >= similar) return;
+  // Of bodies that roll nearly freely both are small, and mean nothing.
+  constexpr double little = 3e-6;
+  const double driving = driving_power(assembly, nodes, equations.creepage(values));
+  if (std::abs(driving) > little * assembly.interface.friction * sliding)
+    facts.power_by_driving = power.dissipated / std::abs(driving);
 }
 
 }  // namespace

@@ -219,6 +219,30 @@ std::array<double, 3> node_of(const Surface<dim>& surface, const AssemblyParts<d
   return place;
 }
 
+/// Of the wearing surfaces together, by force and time: where they touch a volume, of pairs that of
+/// the two that wear most, since both recede; of tracks a volume by length of the path.
+struct Recession {
+  double local = 0, track = 0;
+};
+
+/// `by_surface`: Wdot / p of each.
+template <int dim>
+Recession recession(const AssemblyParts<dim>& parts, const std::vector<double>& by_surface) {
+  Recession sum;
+  double second = 0;
+  for (std::size_t s = 0; s < by_surface.size(); ++s) {
+    const Surface<dim>& surface = parts.interface.surfaces[s];
+    if (surface.track) {
+      sum.track += by_surface[s] / surface.track->path;
+      continue;
+    }
+    second = std::max(second, std::min(by_surface[s], sum.local));
+    sum.local = std::max(sum.local, by_surface[s]);
+  }
+  if (!parts.pairs.empty()) sum.local += second;
+  return sum;
+}
+
 }  // namespace
 
 template <int dim>
@@ -245,41 +269,39 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
                              .duration = duration,
                              .initial = {node_of(surface, parts)}};
   };
-  double k_v = 0, second = 0;  // of the surfaces that wear most; of pairs both recede
-  double by_track = 0;         // of those that wear by the mean along a track
-  for (const Surface<dim>& surface : parts.interface.surfaces) {
-    if (!surface.wears) continue;
-    const double own = wear_by_pressure(surface.wear, circumstances(surface));
-    if (surface.track) {
-      by_track += own / surface.track->path;
-      continue;
-    }
-    second = std::max(second, std::min(own, k_v));
-    k_v = std::max(k_v, own);
-  }
-  if (!parts.pairs.empty()) k_v += second;
-  // Held bodies wear until they no longer overlap.
-  double worn = press.force > 0
-                    ? k_v * press.impulse
-                    : std::min(k_v * start.force * duration, gaps.volume(press.overlap)),
-         local = worn > 0 ? gaps.depth_of(worn) : 0,
-         track = depth_of_tracks<dim>(by_track, press, start, gaps, duration);
-  // Where laws read the depth, that of the surface that wears deepest.
-  const double nominal = local + track;
+  std::vector<double> by_surface;
   for (const Surface<dim>& surface : parts.interface.surfaces)
-    if (surface.wears)
-      result.deepest =
-          std::max(result.deepest, depth_by_law(surface.wear, circumstances(surface), nominal));
-  if (result.deepest < nominal) {
-    local *= result.deepest / nominal;
-    track *= result.deepest / nominal;
-    worn = gaps.volume(local);
+    by_surface.push_back(surface.wears ? wear_by_pressure(surface.wear, circumstances(surface))
+                                       : 0.0);
+  const Recession fresh = recession(parts, by_surface);
+  // Held bodies wear until they no longer overlap.
+  const double worn = press.force > 0 ? fresh.local * press.impulse
+                                      : std::min(fresh.local * start.force * duration,
+                                                 gaps.volume(press.overlap)),
+               local = worn > 0 ? gaps.depth_of(worn) : 0,
+               track = depth_of_tracks<dim>(fresh.track, press, start, gaps, duration);
+  // Where laws read the depth, it is that by which each surface has receded.
+  for (std::size_t s = 0; s < by_surface.size(); ++s) {
+    const Surface<dim>& surface = parts.interface.surfaces[s];
+    const double nominal = surface.track ? track * by_surface[s] / surface.track->path / fresh.track
+                                         : local * by_surface[s] / fresh.local;
+    if (by_surface[s] > 0 && nominal > 0)
+      by_surface[s] *= depth_by_law(surface.wear, circumstances(surface), nominal) / nominal;
   }
+  const Recession later = recession(parts, by_surface);
+  const double of_local = fresh.local > 0 ? later.local / fresh.local : 1,
+               of_track = fresh.track > 0 ? later.track / fresh.track : 1;
+  result.deepest = of_local * local + of_track * track;
   // In the plane a track recedes as a whole, and does not widen the contact.
-  const double shaping = dim == 2 ? local : result.deepest;
-  const double worn_area = std::max(gaps.area(shaping), start.area);
+  const auto area_at = [&](double local, double track) {
+    return std::max(gaps.area(dim == 2 ? local : local + track), start.area);
+  };
+  const double shaping = dim == 2 ? of_local * local : result.deepest,
+               worn_area = area_at(of_local * local, of_track * track);
   scales.stress = start.force / worn_area;
-  scales.wear_depth = result.deepest > 0 ? worn / worn_area + track : scales.displacement;
+  scales.wear_depth = result.deepest > 0
+                          ? of_local * (worn / area_at(local, track)) + of_track * track
+                          : scales.displacement;
   const double half_width = solid ? std::sqrt(worn_area / M_PI) : worn_area / 2;
   // What lies flat on each other recedes as a whole.
   result.slope = 2 * std::min(shaping, gaps.largest()) / half_width;

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
@@ -67,6 +68,9 @@ std::array<double, 3> middle_of(const std::vector<std::array<double, 3>>& positi
   return positions.empty() ? std::array<double, 3>{} : positions[positions.size() / 2];
 }
 
+/// Multiples of the mean pressure, of which the first is taken at which a law wears.
+constexpr std::array<double, 4> that_wear = {1, 3, 10, 30};
+
 /// Wdot / p at a pressure; of a rate that is proportional to it, whatever the pressure, to the last
 /// digit.
 double secant(const WearLaw& law, const WearCircumstances& at, double pressure, double speed,
@@ -87,7 +91,7 @@ double secant(const WearLaw& law, const WearCircumstances& at, double pressure, 
 
 double wear_by_pressure(const WearLaw& law, const WearCircumstances& at) {
   constexpr int moments = 4096;  // middles of equal parts of the run
-  for (const double multiple : {1.0, 3.0, 10.0, 30.0}) {
+  for (const double multiple : that_wear) {
     const auto at_moment = [&](int k) {
       return secant(law, at, multiple * at.pressure, at.speed, at.duration * (k + 0.5) / moments);
     };
@@ -103,13 +107,23 @@ double wear_by_pressure(const WearLaw& law, const WearCircumstances& at) {
 /// h, with the trapezoidal rule on a grid in logarithmic steps: a law may fall at any depth.
 double depth_by_law(const WearLaw& law, const WearCircumstances& at, double nominal) {
   constexpr int moments = 16, decades = 12, parts = 16;
+  double pressure = 0;
   const auto rate = [&](double depth) {
     double sum = 0;
-    for (int k = 0; k < moments; ++k)
-      sum += secant(law, at, at.pressure, at.speed, at.duration * (k + 0.5) / moments, depth);
+    try {
+      for (int k = 0; k < moments; ++k)
+        sum += secant(law, at, pressure, at.speed, at.duration * (k + 0.5) / moments, depth);
+    } catch (const RecoverableError&) {
+      if (depth == 0) throw;
+      return 0.0;  // a law need not be defined beyond the depth at which it falls to zero
+    }
     return sum;
   };
-  const double fresh = rate(0);
+  double fresh = 0;
+  for (const double multiple : that_wear) {
+    pressure = multiple * at.pressure;
+    if (fresh = rate(0); fresh > 0) break;
+  }
   if (!(fresh > 0) || !(nominal > 0)) return nominal;
   double depth = 0, slowness = 1, taken = 0;
   bool slows = false;  // otherwise the depth is the nominal one to the last digit

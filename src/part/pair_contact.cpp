@@ -155,7 +155,8 @@ void tell_of_edges(AssemblyParts<dim>& parts) {
 }
 
 /// By pair: facets, by sorted nodes, of wearing surfaces whose nodes are nearer to what the pair
-/// touches than to what others do. A surface that several pairs touch is divided between them.
+/// touches than to what others do. A surface that several pairs touch is divided between them;
+/// where it carries the pressures, with a facet between that belongs to none.
 template <int dim>
 std::vector<std::set<typename Mesh<dim>::Facet>> own_surfaces(
     const std::vector<Surface<dim>>& wearing, const std::vector<MortarPair<dim>>& pairs,
@@ -164,8 +165,11 @@ std::vector<std::set<typename Mesh<dim>::Facet>> own_surfaces(
   for (const Surface<dim>& surface : wearing) {
     const std::set<int> nodes = nodes_of_facets(surface.facets);
     std::vector<std::pair<std::size_t, std::vector<int>>> touched;  // by pair that touches it
+    bool carries = false;                                           // as a slave of some pair
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       std::set<int> of_pair = nodes_of_facets(pairs[k].slave);
+      carries =
+          carries || std::ranges::any_of(of_pair, [&](int node) { return nodes.contains(node); });
       of_pair.merge(nodes_of_facets(pairs[k].master));
       std::vector<int> common;
       std::ranges::set_intersection(nodes, of_pair, std::back_inserter(common));
@@ -185,7 +189,8 @@ std::vector<std::set<typename Mesh<dim>::Facet>> own_surfaces(
       owner[node] = touched.size() == 1 ? touched.front().first : nearest(node);
     for (const auto& facet : surface.facets) {
       const std::size_t pair = owner.at(facet.front());
-      if (std::ranges::all_of(facet, [&](int node) { return owner.at(node) == pair; }))
+      // A node carries the pressures of one pair.
+      if (!carries || std::ranges::all_of(facet, [&](int node) { return owner.at(node) == pair; }))
         own[pair].insert(sorted(facet));
     }
   }

@@ -127,6 +127,10 @@ private:
                                    given.origin, *array, *array,
                                    key.starts_with(".#") ? key.substr(2) : key));
     }
+    if (const auto number = given.name.find(".#"); number != given.name.npos)
+      throw InputError(
+          fmt::format("{}: expected a number or a name in the place of #, as in {}.1{}",
+                      given.origin, given.name.substr(0, number), given.name.substr(number + 2)));
     check(given, table, problem);
   }
 
