@@ -180,6 +180,8 @@ State consistent(const SystemHandle& handle, double t, const py::object& y,
   State state{t, numbers(y, handle.structure().size, "y"), {}};
   const std::string at = "t = " + std::string(py::str(py::float_(t)));
   if (!std::isfinite(t)) throw InputError(at + ": expected a finite time");
+  if (within && !(*within <= t))
+    throw InputError(at + ": expected a time `within` that is not later");
   for (std::size_t i = 0; i < state.y.size(); ++i)
     if (!std::isfinite(state.y[i]))  // as a method arrives at that is not stable
       throw SolutionError("no equilibrium at " + at + ": y[" + std::to_string(i) +

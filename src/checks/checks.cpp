@@ -116,8 +116,7 @@ std::vector<std::string> doubts(const Examination& facts) {
         *facts.slip_zone == 0
             ? "no contact node slips, and nothing wears: the bodies move with each other, as where "
               "one may roll, or, where pressure falls to zero at the edges of contact, a zone "
-              "slips "
-              "that is narrower than an element and that a finer mesh shows"
+              "slips that is narrower than an element and that a finer mesh shows"
             : fmt::format("the zone that slips beside contact that sticks is {} element{} wide: "
                           "friction work and wear are wrong by about 30 % with 2 of them, 5 % with "
                           "3, and mean little with 1; a finer mesh at the edges of contact helps",
@@ -129,7 +128,7 @@ std::vector<std::string> doubts(const Examination& facts) {
         facts.turn, 100 * facts.turn / 2));
   if (std::abs(facts.power_by_driving - 1) > undriven)
     found.push_back(fmt::format(
-        "in rolling friction of similar bodies dissipates {:.2g} times the power of what drives "
+        "friction of similar bodies that roll dissipates {:.2g} times the power of what drives "
         "them: pressures move along their surfaces, by the mesh, small blocks or strains (a finer "
         "mesh there or larger blocks tell)",
         facts.power_by_driving));

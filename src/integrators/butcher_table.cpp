@@ -23,7 +23,7 @@ bool has_order(const ButcherTable& table, const Eigen::VectorXd& b, int order) {
 
 }  // namespace
 
-const ButcherTable& checked_table(const ButcherTable& table) {
+ButcherTable checked_table(ButcherTable table) {
   const auto require = [&](bool right, const std::string& expected) {
     if (!right)
       throw RegistrationError(

@@ -78,7 +78,8 @@ template <int dim>
 void require_steps_in_turn(const Scene& scene, const Turning<dim>& turning) {
   constexpr double parts = 16;
   const double longest = duration_of_turn(turning) / parts,
-               step = scene.real_if("integrator.step").value_or(0);
+               step =
+                   std::min(scene.real_if("integrator.step").value_or(0), scene.real("time.end"));
   if (step > longest)
     refuse(scene, "integrator.step",
            fmt::format("at most {:.3g} s, a sixteenth of a turn of the counter-body, which changes "

@@ -196,6 +196,7 @@ TEST_F(Everyday, InfoShortensLongListsAndTheSceneStaysWhole) {
 
 TEST_F(Everyday, ListKnowsShapes) {
   EXPECT_THAT(gnomon({"list", "shapes"}).out, HasSubstr("torus"));
+  EXPECT_THAT(gnomon({"list", "materials"}).out, HasSubstr("linear "));
 }
 
 TEST_F(Everyday, CompareTellsTheUnitOfTheShapeError) {

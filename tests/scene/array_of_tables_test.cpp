@@ -75,6 +75,10 @@ TEST(ArraysOfTables, GivenAsATableAreRefusedOnce) {
         << text;
   EXPECT_EQ(refusal("", {"load.on=top"}),
             "--set load.on: expected the number of a [[load]], as in load.1.on");
+  EXPECT_EQ(refusal("", {"load.#.on=top"}),
+            "--set load.#.on: expected the number of a [[load]], as in load.1.on");
+  EXPECT_EQ(refusal("", {"load.0.on=top"}),
+            "--set load.0.on: unknown key, did you mean `load.1.on`?");
 }
 
 TEST(ArraysOfTexts, AreReadAndChecked) {

@@ -30,6 +30,6 @@ inline bool is_explicit(const ButcherTable& table) {
 /// The table itself. Throws RegistrationError where it is not that of such a method: sizes, finite
 /// values, A lower triangular, c = A 1, the conditions of its orders, of which those beyond four
 /// are not checked.
-const ButcherTable& checked_table(const ButcherTable& table);
+ButcherTable checked_table(ButcherTable table);
 
 }  // namespace gnomon

@@ -85,7 +85,7 @@ std::unique_ptr<Stepper> make_diagonally_implicit(const System& system,
 
 /// An explicit Runge-Kutta method on the reduced ODE, by ARKODE's ERKStep and a table with an
 /// embedded method. Error control by ARKODE's PI controller in the norm of ErrorNorm; or fixed
-/// steps, halved when a solve fails. Throws RegistrationError like checked_table(table).
+/// steps, halved when a solve fails. Throws RegistrationError for another table.
 std::unique_ptr<Stepper> make_erk(const System& system, const IntegratorSettings& settings,
                                   Counters& counters, const ButcherTable& table);
 
