@@ -111,7 +111,7 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
     function.distance = [&](std::span<const double> before, std::span<const double> y) {
       return norm_.distance(before, y, from.y) / options.error;
     };
-  const NewtonReport report = newton_.solve(function, to.y);
+  NewtonReport report = newton_.solve(function, to.y);
   if (report.converged) set_rates_of(step, base, to.y, to.ydot);
   return report;
 }

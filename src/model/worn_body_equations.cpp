@@ -103,7 +103,7 @@ Vector<dim> WornBodyEquations<dim>::creepage(const FieldValues<dim>& values) con
 
 template <int dim>
 Vector<dim> WornBodyEquations<dim>::creepage_of_first(const FieldValues<dim>& values) const {
-  const Vector<dim> own = creepage(values);
+  Vector<dim> own = creepage(values);
   if (assembly_->pairs.empty()) return own;
   const auto& [slave, master] = assembly_->pairs.front().numbers;
   return slave < master ? own : Vector<dim>(-own);

@@ -266,7 +266,8 @@ std::optional<std::string> array_without_number(const std::string& name,
 std::string key_meant(const std::string& name, const std::vector<Key>& table) {
   std::vector<std::string> names;
   for (const Key& key : table) names.push_back(key_like(key.name, name));
-  const std::string near = nearest_name(name, names), first = name.substr(0, name.find('.'));
+  std::string near = nearest_name(name, names);
+  const std::string first = name.substr(0, name.find('.'));
   if (first == name || names_table(first, table)) return near;
   // Not a table: that may be the mistake, rather than the key in it.
   std::vector<std::string> tables;
@@ -295,7 +296,7 @@ void refuse_unknown_key(const std::string& origin, const std::string& name, cons
     throw InputError(origin + ": " + instead);
   for (const Key& key : table)
     if (const std::string expected = misnaming(key.name, name); !expected.empty())
-      throw InputError(origin + ": " + expected);
+      throw InputError(fmt::format("{}: {}", origin, expected));
   std::string near = key_meant(name, table);
   if (const auto number = near.find('#'); number != near.npos) near[number] = '1';
   throw InputError(fmt::format("{}: unknown key, {}", origin,
