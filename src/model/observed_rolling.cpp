@@ -44,11 +44,9 @@ double driving_power(const Assembly<dim>& assembly, const std::vector<ContactNod
   const Rolling<dim>& rolling = *assembly.interface.rolling;
   double power = 0;
   for (const Upstream& at : upstream_of(assembly)) {
-    const Vector<dim> turned =
-        rolling.creepage_at(assembly.mesh.nodes[static_cast<std::size_t>(at.node)]) -
-        rolling.creepage;
+    const Vector<dim>& X = assembly.mesh.nodes[static_cast<std::size_t>(at.node)];
     const ContactNode<dim>& node = nodes[static_cast<std::size_t>(assembly.contact_node(at.node))];
-    power += friction_on(node).dot(creepage + turned);
+    power += friction_on(node).dot(creepage + rolling.spin * (X - rolling.centre));
   }
   return assembly.copies * rolling.velocity.norm() * power;
 }
