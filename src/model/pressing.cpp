@@ -116,12 +116,13 @@ Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   double force = interface.force ? *interface.force / interface.partner.guides.front().share
                                  : most_load * load_along_approach(parts);
   Pressing press{.overlap = given_overlap(parts)};
+  double moved = 0;
   for (const SpringSupport<dim>& springs : parts.supports.springs)
-    if (const double moved = springs.displacement.cwiseAbs().maxCoeff() * springs.history.largest();
-        moved > press.overlap) {
-      press.overlap = moved;
-      press.springs = force_of_springs(parts);
-    }
+    moved = std::max(moved, springs.displacement.cwiseAbs().maxCoeff() * springs.history.largest());
+  if (moved > press.overlap) {
+    press.overlap = moved;
+    press.springs = force_of_springs(parts);
+  }
   if (const double levers = most_load * load_on_levers(parts); force < across * levers)
     force = levers;
   press.force = force;
