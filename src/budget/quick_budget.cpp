@@ -112,11 +112,12 @@ private:
 
   void add_other(const Key& key) {
     const double factor = Finer(key.controls->source).factor;
-    if (!key.controls->scaled(scene_, factor)) return;
+    const auto finer = key.controls->scaled(scene_, factor);
+    if (!finer) return;
     companions_.add(key, [&](BudgetPart& part) {
       // Nodes that come into contact make errors of their own, on each mesh others.
       if (part.source == ErrorSource::time && may_repeat_)
-        return companions_.compare(part, {scene_, goals_}, *key.controls->scaled(scene_, factor));
+        return companions_.compare(part, {scene_, goals_}, *finer);
       if (!coarse_) coarse_ = cheap(own_, "the same mesh");
       const Trial& base = part.source == ErrorSource::model ? with_own_models() : *coarse_;
       const auto scene = key.controls->scaled(base.scene, factor);
