@@ -13,6 +13,7 @@
 #include <gnomon/terms/material_law.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <map>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/text_table.hpp"
@@ -34,19 +35,22 @@ std::string list_integrators() {
   return table.text();
 }
 
-/// Names, with one line about each.
+/// Names, with one line about each, below what the table has.
 template <class Entry>
-std::string list_entries() {
-  TextTable table("ll");
+std::string list_below(TextTable table) {
   for (const Entry& entry : Registry<Entry>::all()) table.add({entry.name, entry.help});
   return table.text();
 }
 
+template <class Entry>
+std::string list_entries() {
+  return list_below<Entry>(TextTable("ll"));
+}
+
 std::string list_materials() {
   TextTable table("ll");
-  table.add({"linear", "Hooke's law with small strains"});
-  for (const MaterialLaw& law : Registry<MaterialLaw>::all()) table.add({law.name, law.help});
-  return table.text();
+  table.add({"linear", "Hooke's law with small strains"});  // which has no law of its own
+  return list_below<MaterialLaw>(std::move(table));
 }
 
 std::string list_shapes() {
