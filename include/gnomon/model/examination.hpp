@@ -115,7 +115,7 @@ struct Examination {
   double upwind_power = 0, without_friction = 0;
   /// Of similar bodies, PowerOfRolling::dissipated by driving_power(); 1 where there is neither.
   double power_by_driving = 1;
-  /// There, the largest depth of a track by the radius whose circumference its path is.
+  /// In rolling, the largest depth of a track by the radius whose circumference its path is.
   double worn_radius = 0;
   double deformation = 0;  ///< typical displacement: much less of a depth does not count [length]
   double force = 0;        ///< typical: a small part of it is rounding
