@@ -127,7 +127,8 @@ template <int dim>
 void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
                                 SideState& state) const {
   const ContactPatch<dim>& own = patch(side);
-  if (state_.path ? !(state.rubbing > 0) : !state.active) return;
+  // What rubs may be so little that there is no pressure.
+  if (state_.path || !side.slave ? !(state.pressure() > 0) : !state.active) return;
   const PatchNodal<dim> X = positions(at, own, nullptr);
   const double friction = pair(side).friction, speed = state.speed();
   const double p = state.pressure();

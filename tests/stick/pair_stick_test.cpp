@@ -1,8 +1,11 @@
 // Friction that may stick between two bodies: derivatives, frames, similar bodies, limits.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/checks/checks.hpp>
+#include <gnomon/linear/jacobian_block.hpp>
+#include <limits>
 
 #include "stick/stick_scenes.hpp"
 #include "support/fretting_loop.hpp"
@@ -441,6 +444,24 @@ TEST_F(PairFretting, JacobianEqualsFiniteDifferences) {
                               "wear.coefficient=2.9e-7", "friction.factor=\"1+h/1e-4+0.1*x0\""});
   const auto [y, branch] = near_the_start(*model);
   check_jacobian(model->system(), 0, y, 0.2, &branch, 3e-5);
+}
+
+/// A node that opens may keep the least number as its multiplier, which is no pressure once divided
+/// by an area that is more than one.
+TEST_F(PairFretting, TheLeastPressureHasDerivatives) {
+  folder_.write("large_pad.geo",
+                std::string(pad_on_base) + "Dilate {{0, 0, 0}, 30} { Surface{1, 11}; }\n");
+  const auto model = this->model(
+      swinging_pad(), {"mesh.file=large_pad.geo", "cycle.phases=3", "load.1.force=[0.0,-3e3]"});
+  Counters counters;
+  std::vector<double> y = model->start(counters).y;
+  const std::vector<double> ydot(y.size());
+  const Structure& structure = model->system().structure();
+  for (int presses = 0; const int i : unknowns_of(structure, {Role::multiplier}))
+    y[i] = ++presses % 3 == 0 ? -4 * std::numeric_limits<double>::denorm_min() : 1.0;
+  std::vector<double> J(structure.pattern.row_index.size());
+  model->system().jacobian({0, y, ydot}, 1, J);
+  EXPECT_TRUE(std::ranges::all_of(J, [](double value) { return std::isfinite(value); }));
 }
 
 /// The path begins where hardly anything presses the bodies, and the more so, the same.
