@@ -27,6 +27,7 @@ public:
 
   void set_up(std::span<const double> J) override {
     if (!factors_) return blocks_.set_up(J);
+    sundials::require_finite(J, "the Jacobian");  // factors would not help
     J_ = J;
     by_factors_ = rest_ > 0;
     if (by_factors_) {
