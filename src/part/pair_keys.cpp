@@ -75,7 +75,7 @@ void require_two_bodies(const Scene& scene, const std::string& pair) {
 }  // namespace
 
 bool may_stick(const Scene& scene) {
-  const bool all = scene.flag("friction.stick");
+  const bool all = scene.given("friction.stick") && scene.flag("friction.stick");
   if (!has_pairs(scene)) return all;
   const std::vector<std::string> pairs = pair_tables(scene);
   const auto of = [&](const std::string& pair) {

@@ -8,6 +8,7 @@
 #include <gnomon/shapes/counter_body_scene.hpp>
 
 #include "part/histories.hpp"
+#include "part/pair_keys.hpp"
 
 namespace gnomon::part {
 
@@ -52,7 +53,7 @@ std::vector<std::optional<CycleFunction>> read_forces_of_guides(const Scene& sce
     if (!guide.force)
       throw InputError(fmt::format("{}: expected also {}.force, or .moment, which it multiplies",
                                    scene.where(key), guide.key));
-    if (!scene.flag("friction.stick")) refuse(scene, key, "friction.stick = true beside it");
+    if (!may_stick(scene)) refuse(scene, key, "friction.stick = true beside it");
   }
   return forces;
 }

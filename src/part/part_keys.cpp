@@ -78,7 +78,7 @@ std::vector<Key> own_keys() {
   return {
       {.name = "friction.stick",
        .kind = KeyKind::flag,
-       .default_value = false,
+       .absent_meaning = "false; contact that rolls may stick",
        .help = "contact may stick in a part of the cycle, as in fretting: its phases are then a "
                "path (docs/fretting.md)"},
       friction_factor_key(),

@@ -52,7 +52,7 @@ void require_steady_bodies(const Scene& scene) {
 
 /// The same of a scene with [rolling].
 void require_steady_state(const Scene& scene) {
-  if (scene.is_set("friction.stick") && !scene.flag("friction.stick"))
+  if (scene.given("friction.stick") && !scene.flag("friction.stick"))
     refuse(scene, "friction.stick", "true or none beside [rolling], where friction may stick");
   if (!(scene.real("friction.coefficient") > 0))
     refuse(scene, "friction.coefficient", "a coefficient above zero beside [rolling]");

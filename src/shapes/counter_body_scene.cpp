@@ -197,8 +197,8 @@ void require_determined(const Scene& scene, const CounterBody<dim>& body) {
   for (const Guide<dim>& guide : body.guides)
     if (guide.force) free.push_back(&guide);
   const auto count = static_cast<Eigen::Index>(free.size());
-  const bool sticks = (scene.knows("friction.stick") && scene.flag("friction.stick")) ||
-                      (scene.knows("rolling.velocity") && scene.given("rolling.velocity"));
+  const bool sticks = (scene.given("friction.stick") && scene.flag("friction.stick")) ||
+                      scene.given("rolling.velocity");
   if (count < 2 || sticks) return;
   Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(count, count);
   const double reach = body.shape.reach(), arm = reach > 0 ? reach : 1;

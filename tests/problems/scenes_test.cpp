@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/run/run.hpp>
+#include <gnomon/run/setup.hpp>
 #include <gnomon/system/system.hpp>
 #include <iterator>
 
@@ -124,6 +125,15 @@ TEST_P(EveryScene, StartsConsistently) {
   model->system().residual({0, start.y, start.ydot}, F);
   for (std::size_t i = 0; i < F.size(); ++i)
     ASSERT_LE(std::abs(F[i]), 1e-8 * structure.row_scale[i]) << "row " << i;
+}
+
+/// As `resume` reads it: every key that has a value is given.
+TEST_P(EveryScene, IsReadAgainFromItsResult) {
+  const std::filesystem::path file = GNOMON_SOURCE_DIR "/problems/" + GetParam();
+  const gnomon::Setup setup = set_up(checked_scene(file, coarse(GetParam())));
+  const gnomon::Setup again = set_up(checked_scene_of_text(setup.scene.resolved(), file, {}));
+  EXPECT_EQ(again.scene.resolved(), setup.scene.resolved());
+  EXPECT_EQ(again.model->system().structure().size, setup.model->system().structure().size);
 }
 
 TEST_P(EveryScene, ItsSurfaceIsWholeAndThePressureTheMeanOfThePhases) {
