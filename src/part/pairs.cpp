@@ -101,6 +101,7 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
   NodalField<dim> forces =
       NodalField<dim>::Zero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim);
   for (const Load<dim>& each : parts.loads) forces += forces_of(each, parts);
+  if (parts.section() == Section::meridian) forces.col(0).setZero();  // all around: no resultant
   for (std::size_t node = 0; node < body_of.size(); ++node)
     for (std::size_t side = 0; side < 2; ++side) {
       if (body_of[node] != bodies[side]) continue;
