@@ -256,19 +256,46 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   tell_of_edges(parts);
 }
 
+namespace {
+
+/// Whether a surface is smooth over a support in direction i, as over a plane of symmetry: its
+/// normal turns to the support. A flat one that is inclined has an edge there.
+template <int dim>
+bool is_smooth_over(int i, const ContactPatch<dim>& patch, const NodalFlags<dim>& held,
+                    const std::map<int, Vector<dim>>& normals) {
+  constexpr double rounding = 1e-9, turned = 0.9;
+  double beside = 0;
+  int count = 0;
+  for (const int node : patch.nodes)
+    if (const auto found = normals.find(node); found != normals.end() && !held(node, i))
+      beside += std::abs(found->second[i]), ++count;
+  const double own = std::abs(patch.initial_normal[i]);
+  return own < rounding || own * count < turned * beside;
+}
+
+}  // namespace
+
 template <int dim>
 void keep_normals_to_supports(AssemblyParts<dim>& parts) {
   constexpr double nearly = 0.9;
-  for (MortarPair<dim>& pair : parts.pairs)
-    for (const auto& facet : pair.slave)
-      for (const int node : facet) {
-        const auto held = parts.supports.held.row(node);
-        if (held.maxCoeff() == 0 || held.minCoeff() != 0) continue;
-        const Tensor<dim> free = (1 - held.template cast<double>().array()).matrix().asDiagonal();
-        // Else it is no symmetry.
-        if ((free * facet_normal<dim>(facet, parts.mesh.nodes)).norm() > nearly)
-          pair.along[node] = free;
+  const auto& held = parts.supports.held;
+  for (MortarPair<dim>& pair : parts.pairs) {
+    const auto patches = contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section());
+    std::map<int, Vector<dim>> normals;
+    for (const auto& patch : patches) normals[patch.node] = patch.initial_normal;
+    for (const auto& patch : patches) {
+      Tensor<dim> free = Tensor<dim>::Identity();
+      bool smooth = true;
+      for (int i = 0; i < dim; ++i) {
+        if (!held(patch.node, i)) continue;
+        free(i, i) = 0;
+        smooth = smooth && is_smooth_over<dim>(i, patch, held, normals);
       }
+      // Else it is no symmetry.
+      if (smooth && !free.isIdentity() && (free * patch.initial_normal).norm() > nearly)
+        pair.along[patch.node] = free;
+    }
+  }
 }
 
 template std::vector<Surface<2>> surfaces_of(const Scene&, const ImportedBody<2>&,
