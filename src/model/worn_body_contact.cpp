@@ -82,15 +82,10 @@ struct Passage {
 template <int dim>
 Passage<dim> passage_of(const Assembly<dim>& body, const Upstream& at) {
   const Rolling<dim>& rolling = *body.interface.rolling;
-  const CounterBody<dim>& partner = body.interface.partner;
-  const Vector<dim> X = body.mesh.nodes[static_cast<std::size_t>(at.node)];
-  const double interval = at.distance / rolling.velocity.norm();
-  Vector<dim> way = streamed(body.mesh, at);
-  if (rolling.linear && partner.motion.moves())
-    way -= interval * partner.motion.at(Vector<dim>(X - partner.position));
-  else if (rolling.linear)
-    way.setZero();
-  return {at.distance, interval, way + at.distance * rolling.creepage_at(X)};
+  const Vector<dim> X = body.mesh.nodes[static_cast<std::size_t>(at.node)],
+                    way = rolling.linear ? Vector<dim>::Zero() : streamed(body.mesh, at);
+  return {at.distance, at.distance / rolling.velocity.norm(),
+          way + at.distance * rolling.creepage_at(X)};
 }
 
 /// dt (V^1 - V^2), with V^1 along the surface, which may be curved.

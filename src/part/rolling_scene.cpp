@@ -59,11 +59,26 @@ void require_steady_state(const Scene& scene) {
   require_steady_bodies(scene);
 }
 
+/// The creepage of a counter-body that moves as counter_body.motion says where the bodies touch.
+template <int dim>
+void read_creepage_of_motion(const Vector<dim>& outward, const RigidMotion<dim>& motion,
+                             Rolling<dim>& rolling) {
+  const double V = rolling.velocity.norm();
+  const Vector<dim> n = outward.normalized();
+  Vector<dim> v = motion.at(motion.reference);
+  v -= n * n.dot(v);
+  rolling.creepage = (rolling.velocity - v) / V;
+  if constexpr (dim == 3) {
+    const Tensor<3> about = spin_about(n, 1);
+    rolling.spin = -about * (about.cwiseProduct(motion.spin).sum() / (2 * V));
+  }
+}
+
 }  // namespace
 
 template <int dim>
 std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& outward,
-                                         const CounterBody<dim>& other) {
+                                         CounterBody<dim>& other) {
   if (!rolls(scene)) {
     for (const Key& key : rolling_keys())
       if (scene.given(key.name)) refuse(scene, key.name, "also rolling.velocity");
@@ -74,11 +89,21 @@ std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& 
                        .centre = other.position + other.motion.reference};
   if (!(rolling.velocity.norm() > 0))
     refuse(scene, "rolling.velocity", "a velocity that is not zero");
+  std::string given = "rolling.creepage";
+  for (const std::string key : {"counter_body.motion.velocity", "counter_body.motion.rotation"}) {
+    if (!scene.given(key)) continue;
+    for (const std::string of : {"rolling.creepage", "rolling.spin"})
+      if (scene.given(of)) refuse(scene, of, fmt::format("none beside {}, which gives it", key));
+    if (other.motion.across != 0) refuse(scene, key, "none across the plane beside [rolling]");
+    read_creepage_of_motion<dim>(outward, other.motion, rolling);
+    given = key;
+  }
+  other.motion = {.reference = other.motion.reference, .normal = other.motion.normal};
   if (scene.given("rolling.creepage"))
     rolling.creepage = read_along<dim>(scene, "rolling.creepage", outward);
   for (const Guide<dim>& guide : other.guides)
     if (guide.creeps() && rolling.creepage.dot(guide.along) != 0)
-      refuse(scene, "rolling.creepage",
+      refuse(scene, given,
              fmt::format("none along {}.direction, whose force determines it", guide.key));
   if (!scene.given("rolling.spin")) return rolling;
   if constexpr (dim == 3)
@@ -223,6 +248,12 @@ void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
 }
 
 template <int dim>
+bool creeps(const AssemblyParts<dim>& parts) {
+  return parts.interface.rolling->creeps() ||
+         std::ranges::any_of(parts.interface.partner.guides, &Guide<dim>::creeps);
+}
+
+template <int dim>
 double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
   const Rolling<dim>& rolling = *parts.interface.rolling;
   const double half = contact_width<dim>(expected.scales) / 2,
@@ -239,10 +270,10 @@ void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts) {
       expected.scales.displacement / (contact_width<dim>(expected.scales) / 2);
 }
 
-template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&,
-                                                const CounterBody<2>&);
-template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&,
-                                                const CounterBody<3>&);
+template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&, CounterBody<2>&);
+template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&, CounterBody<3>&);
+template bool creeps(const AssemblyParts<2>&);
+template bool creeps(const AssemblyParts<3>&);
 template Rolling<2> rolling_of(const Scene&, const AssemblyParts<2>&);
 template Rolling<3> rolling_of(const Scene&, const AssemblyParts<3>&);
 template void let_roll(const Scene&, AssemblyParts<2>&);

@@ -14,16 +14,21 @@ std::vector<Key> rolling_keys();
 bool rolls(const Scene& scene);
 
 /// How the material passes the counter-body, which knows where it touches first and what creeps
-/// (let_creep()); nothing without [rolling]. `outward`: the mean normal of what wears. Throws
-/// InputError for what does not go with it, also for a creepage that a force determines.
+/// (let_creep()), and whose motion becomes a creepage; nothing without [rolling]. `outward`: the
+/// mean normal of what wears. Throws InputError for what does not go with it, also for a creepage
+/// that a force determines.
 template <int dim>
 std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& outward,
-                                         const CounterBody<dim>& other);
+                                         CounterBody<dim>& other);
 
 /// The guides of a counter-body that lie along the surface are creepages beside [rolling]. Throws
 /// InputError where they are not free.
 template <int dim>
 void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>& other);
+
+/// Whether forces determine a creepage.
+template <int dim>
+bool creeps(const AssemblyParts<dim>& parts);
 
 /// The speed that scales are made with: by the creepage, or by what friction shears the contact
 /// [length / time].

@@ -112,10 +112,25 @@ TEST_F(RollingScenes, ForceAndCreepageDetermineEachOther) {
   const Found given = found(cylinder(fmt::format("creepage = [{:.17g}, 0.0]", driven.creepage)));
   EXPECT_NEAR(given.force / Carter::Q, 1, 1e-8);
   EXPECT_NEAR(given.power / driven.power, 1, 1e-8);
-  const Found moved = found(cylinder("creepage = [0.0, 0.0]"),
-                            {fmt::format("counter_body.motion.velocity=[{:.17g}, 0.0]",
-                                         Carter::V * (1 - driven.creepage))});
+  const std::string still = cylinder("#");
+  const Found moved = found(still, {fmt::format("counter_body.motion.velocity=[{:.17g}, 0.0]",
+                                                Carter::V * (1 - driven.creepage))});
   EXPECT_NEAR(moved.force / Carter::Q, 1, 1e-6);
+  EXPECT_NEAR(moved.creepage / driven.creepage, 1, 1e-9);
+}
+
+/// A counter-body that stands still is slid on, at the speed of rolling; one that turns about its
+/// axle has the velocity of its rim.
+TEST_F(RollingScenes, TheMotionOfTheCounterBodyIsACreepage) {
+  const Found locked = found(cylinder("#"), {"counter_body.motion.velocity=[0.0, 0.0]"});
+  EXPECT_NEAR(locked.creepage, 1, 1e-12);
+  EXPECT_NEAR(locked.power / (Carter::f * Carter::P * Carter::V), 1, 1e-3);
+  const Found driven = found(cylinder());
+  const Found turns =
+      found(cylinder("#"), {fmt::format("counter_body.motion.rotation={:.17g}",
+                                        Carter::V * (1 - driven.creepage) / Carter::R)});
+  EXPECT_NEAR(turns.creepage / driven.creepage, 1, 1e-6);
+  EXPECT_NEAR(turns.force / Carter::Q, 1, 1e-4);
 }
 
 /// Backwards, everything is the mirror image.
@@ -161,21 +176,19 @@ TEST_F(RollingScenes, SolversAgree) {
 }
 
 TEST_F(RollingScenes, JacobianEqualsFiniteDifferences) {
-  for (const char* material : {"linear", "neo-hookean"})
-    for (const char* moves : {"[0.0, 0.0]", "[999.0, 0.0]"}) {
-      const auto model = this->model(
-          cylinder("", 0.3), {"mesh.file=coarse.geo", fmt::format("body.material={}", material),
-                              fmt::format("counter_body.motion.velocity={}", moves)});
-      Counters counters;
-      std::vector<double> y = model->start(counters).y;
-      const Structure& structure = model->system().structure();
-      for (std::size_t i = 0; i < y.size(); ++i)
-        y[i] += 0.05 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
-      const ActiveSet branch = active_set(model->system(), 0, y);
-      EXPECT_GT(std::ranges::count(branch, 1), 2);
-      EXPECT_GT(std::ranges::count(branch, 0), 2);
-      check_jacobian(model->system(), 0, y, 0.2, &branch, 1e-4);
-    }
+  for (const char* material : {"linear", "neo-hookean"}) {
+    const auto model = this->model(
+        cylinder("", 0.3), {"mesh.file=coarse.geo", fmt::format("body.material={}", material)});
+    Counters counters;
+    std::vector<double> y = model->start(counters).y;
+    const Structure& structure = model->system().structure();
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] += 0.05 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
+    const ActiveSet branch = active_set(model->system(), 0, y);
+    EXPECT_GT(std::ranges::count(branch, 1), 2);
+    EXPECT_GT(std::ranges::count(branch, 0), 2);
+    check_jacobian(model->system(), 0, y, 0.2, &branch, 1e-4);
+  }
 }
 
 /// In space the ball is dragged along the creepage, and the force turns with it.
@@ -235,6 +248,11 @@ TEST_F(RollingScenes, WhatDoesNotGoTogetherIsRefused) {
   expect_refused(cylinder(), {"rolling.velocity=[0.0, 0.0]"}, "not zero");
   expect_refused(cylinder(), {"rolling.spin=1.0"}, "none in the plane");
   expect_refused(cylinder(), {"friction.coefficient=0"}, "above zero");
+  const std::string moves = "counter_body.motion.velocity=[999.0, 0.0]";
+  expect_refused(cylinder(), {moves}, "whose force determines it");
+  expect_refused(cylinder("creepage = [1e-3, 0.0]"), {moves}, "none beside counter_body.motion");
+  expect_refused(cylinder("#"), {"counter_body.motion.velocity=[999.0, 0.0, 1.0]"},
+                 "none across the plane");
   expect_refused(cylinder(), {"friction.stick=false"}, "true or none");
   expect_refused(cylinder(), {"wear.surfaces.surface.path=0.01"}, "at least the length");
   expect_refused(cylinder(), {"cycle.period=1.0", "cycle.phases=4", "cycle.x=\"sin(2*pi*tau)\""},

@@ -29,12 +29,10 @@
 
 namespace gnomon {
 
-/// v^2 of a partner in rolling: that of its motion, or, without one, |V| along its surface.
+/// v^2 of a partner in rolling: |V| along its surface.
 template <int dim, class Scalar>
 Vector<dim, Scalar> rolling_velocity(const Rolling<dim>& rolling,
-                                     const ContactKinematics<dim, Scalar>& met,
-                                     const RigidMotion<dim>& motion) {
-  if (motion.moves()) return -met.relative;
+                                     const ContactKinematics<dim, Scalar>& met) {
   const Vector<dim, Scalar> V = rolling.velocity.template cast<Scalar>(),
                             along = V - met.normal * met.normal.dot(V);
   using std::sqrt;
@@ -109,7 +107,7 @@ Vector<dim, Scalar> moved_partner(const StickParameters<dim>& parameters,
     return moved;
   }
   if (!parameters.rolling->linear)
-    moved = Scalar(at.interval) * rolling_velocity(*parameters.rolling, met, other.motion);
+    moved = Scalar(at.interval) * rolling_velocity(*parameters.rolling, met);
   const double passed = at.interval * parameters.rolling->velocity.norm();
   for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
     if (const Guide<dim>& guide = other.guides[static_cast<std::size_t>(k)]; guide.creeps())
