@@ -115,7 +115,9 @@ std::vector<Key> shared_keys() {
   for (Key key : worn_body_keys(2)) {
     if (replaced(key.name)) continue;
     if (key.name == "wear.velocity") {
-      key.absent_meaning = "that of counter_body.motion, or of [[motion]], at the contact";
+      key.absent_meaning =
+          "that of counter_body.motion, or of [[motion]], at the contact; in rolling their "
+          "difference";
       key.help = "sliding speed that s = v t is counted with";
       key.idle = [](const Scene& scene) {
         return reads_in_rates(scene, "s") || reads_in_friction(scene, "s") ? ""

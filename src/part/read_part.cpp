@@ -157,6 +157,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
     parts.scales = magnitudes.scales;
   }
   if (parts.interface.rolling) {
+    if (creeps(parts) && !scene.given("wear.velocity")) require_no_distance(scene);
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
       if (!scene.given("wear.velocity")) {
         parts.interface.speed = speed_of_rolling(parts, magnitudes);

@@ -248,6 +248,13 @@ void require_damping(const Scene& scene) {
 
 }  // namespace
 
+void require_no_distance(const Scene& scene) {
+  for (const auto& [key, reads] : {std::pair("wear.rate", reads_in_rates(scene, "s")),
+                                   std::pair("friction.factor", reads_in_friction(scene, "s"))})
+    if (reads)
+      refuse(scene, key, "no sliding distance s, or also wear.velocity: no motion gives it");
+}
+
 bool memory_follows(const Scene& scene) {
   return integrator_of(scene).is_explicit();
 }
@@ -257,11 +264,7 @@ void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (!parts.cycle)
     refuse_path(scene, "also [cycle], by which it is driven to and fro, or [rolling]");
   require_damping(scene);
-  if (*parts.interface.speed == 0)
-    for (const auto& [key, reads] : {std::pair("wear.rate", reads_in_rates(scene, "s")),
-                                     std::pair("friction.factor", reads_in_friction(scene, "s"))})
-      if (reads)
-        refuse(scene, key, "no sliding distance s, or also wear.velocity: no motion gives it");
+  if (*parts.interface.speed == 0) require_no_distance(scene);
   if (!(parts.interface.friction > 0) ||
       std::ranges::any_of(parts.pairs, [](const auto& pair) { return !(pair.friction > 0); }))
     refuse(scene, "friction.coefficient",

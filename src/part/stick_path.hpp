@@ -33,6 +33,9 @@ bool memory_follows(const Scene& scene);
 template <int dim>
 std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration);
 
+/// Throws InputError where a rate or the friction reads the sliding distance.
+void require_no_distance(const Scene& scene);
+
 /// Throws InputError where parts with friction that may stick have what it does not go with.
 template <int dim>
 void require_path(const Scene& scene, const AssemblyParts<dim>& parts);
