@@ -12,6 +12,7 @@
 #include "part/bodies.hpp"
 #include "part/changing_friction.hpp"
 #include "part/first_loading.hpp"
+#include "part/friction_limit.hpp"
 #include "part/groups.hpp"
 #include "part/held_bodies.hpp"
 #include "part/nominal_speed.hpp"
@@ -157,6 +158,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
     parts.scales = magnitudes.scales;
   }
   if (parts.interface.rolling) {
+    require_balanced_rolling(scene, parts);
     if (creeps(parts) && !scene.given("wear.velocity")) require_no_distance(scene);
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
       if (!scene.given("wear.velocity")) {

@@ -8,12 +8,9 @@
 #include <gnomon/integrators/integrator.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/model/wear_scene.hpp>
-#include <iterator>
 #include <optional>
-#include <set>
 #include <utility>
 
-#include "model/resultants.hpp"
 #include "part/changing_friction.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
@@ -174,66 +171,6 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
 
 namespace {
 
-/// What presses the free counter-body at a time, on the straight lines of histories that are valid
-/// after `within`: across the surface, and along it [force].
-template <int dim>
-std::pair<double, double> forces_at(const AssemblyParts<dim>& parts, const Phase<dim>& phase,
-                                    double t, double within) {
-  const Vector<dim> sum = pressing_force(phase, parts.interface.history, t, within);
-  const Vector<dim>& approach = parts.interface.partner.approach;
-  return {sum.dot(approach), (sum - sum.dot(approach) * approach).norm()};
-}
-
-/// When they are first more than friction holds between two times with straight histories.
-template <int dim>
-std::optional<double> first_excess(const AssemblyParts<dim>& parts, const Phase<dim>& phase,
-                                   double from, double to) {
-  constexpr int halvings = 30;
-  const auto is_more = [&](double t) {
-    const auto [across, along] = forces_at(parts, phase, t, from);
-    return along > 0 && along > parts.interface.friction * across;
-  };
-  if (is_more(from)) return from;
-  if (!is_more(to)) return {};
-  double before = from, first = to;
-  for (int k = 0; k < halvings; ++k) {
-    const double middle = (before + first) / 2;
-    (is_more(middle) ? first : before) = middle;
-  }
-  return first;
-}
-
-}  // namespace
-
-template <int dim>
-std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration) {
-  if (!parts.pairs.empty() || parts.interface.friction_factor.varies() ||
-      !parts.phases.front().force)
-    return "";
-  std::set<double> times = {0, duration};
-  const auto add = [&](const LoadHistory& history) {
-    for (const double t : history.times())
-      if (t > 0 && t < duration) times.insert(t);
-  };
-  add(parts.interface.history);
-  for (const Guide<dim>& guide : parts.interface.partner.guides) add(guide.factors);
-  for (auto from = times.begin(), to = std::next(from); to != times.end(); ++from, ++to) {
-    std::optional<double> first;
-    const Phase<dim>* where = nullptr;
-    for (const Phase<dim>& phase : parts.phases)
-      if (const auto t = first_excess(parts, phase, *from, *to); t && !(first && *first <= *t))
-        first = t, where = &phase;
-    if (!first) continue;
-    return fmt::format(
-        "at t = {:.4g} s and tau = {:.4g} the force along the surface, {:.4g}, becomes more than "
-        "friction holds: the counter-body has no place there, unless its shape holds it",
-        *first, where->position, forces_at(parts, *where, *first, *from).second);
-  }
-  return "";
-}
-
-namespace {
-
 const Integrator& integrator_of(const Scene& scene) {
   return Registry<Integrator>::find(scene.text("integrator.name"), "integrator");
 }
@@ -282,8 +219,6 @@ template AssemblyParts<3> with_chosen_path(const Scene&,
                                            const std::function<AssemblyParts<3>(long)>&);
 template double speed_on_path(const AssemblyParts<2>&, const Magnitudes&);
 template double speed_on_path(const AssemblyParts<3>&, const Magnitudes&);
-template std::string remark_on_friction(const AssemblyParts<2>&, double);
-template std::string remark_on_friction(const AssemblyParts<3>&, double);
 template void require_path(const Scene&, const AssemblyParts<2>&);
 template void require_path(const Scene&, const AssemblyParts<3>&);
 

@@ -29,10 +29,6 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
 /// Whether the memory of slip is an algebraic unknown, as explicit methods need it.
 bool memory_follows(const Scene& scene);
 
-/// When forces on a counter-body are first more than friction holds, if they are.
-template <int dim>
-std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration);
-
 /// Throws InputError where a rate or the friction reads the sliding distance.
 void require_no_distance(const Scene& scene);
 

@@ -235,8 +235,12 @@ TEST_F(RollingScenes, ContactWhereNoMaterialComesFromIsToldOf) {
 }
 
 TEST_F(RollingScenes, AForceThatFrictionDoesNotBalanceIsRefused) {
-  EXPECT_THAT(failed_start(cylinder(), {"counter_body.press.2.force=12.0"}),
-              HasSubstr("no creepage was found"));
+  expect_refused(cylinder(), {"counter_body.press.2.force=12.0"}, "at t = 0 s becomes more, 12");
+  expect_refused(
+      cylinder(),
+      {fmt::format("counter_body.press.2.force={}", Carter::Q),
+       "counter_body.press.2.factors=[1.0, 3.0]", "counter_body.press.2.times=[0.0, 1000.0]"},
+      fmt::format("at t = {:.4g} s", 500 * (1 / Carter::ratio - 1)));
 }
 
 TEST_F(RollingScenes, WhatDoesNotGoTogetherIsRefused) {

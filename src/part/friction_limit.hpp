@@ -1,0 +1,19 @@
+// Forces along the surface that are more than friction carries, known before a run.
+#pragma once
+
+#include <gnomon/model/assembly.hpp>
+#include <gnomon/scene/scene.hpp>
+#include <string>
+
+namespace gnomon::part {
+
+/// When forces on a counter-body are first more than friction holds, if they are.
+template <int dim>
+std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration);
+
+/// Throws InputError where such forces are more than friction carries in steady rolling in the
+/// plane. In space, surfaces that are inclined hold forces across the velocity.
+template <int dim>
+void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& parts);
+
+}  // namespace gnomon::part
