@@ -211,8 +211,9 @@ private:
       const std::vector<Pose<dim>> here = poses_;
       move(by);
       const Eigen::VectorXd next = resultant(law, at);
-      if (next.dot(R) < 0 && next.norm() > 0.5 * R.norm() &&
-          time > 1e-3) {  // it went through a stop
+      const bool through_a_stop = next.dot(R) < 0 && next.norm() > 0.5 * R.norm() && time > 1e-3,
+                 too_far = next.norm() > 1.5 * R.norm() && time > 1;
+      if (through_a_stop || too_far) {
         poses_ = here;
         time /= 8;
         continue;

@@ -1,5 +1,9 @@
 // Slender bodies that stand on narrow surfaces, which softer ones would let fall over.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "part/part_scene.hpp"
 
 namespace gnomon::standing_test {
@@ -83,6 +87,59 @@ TEST_F(Standing, SoftSpringsPressAColumnByTheirForce) {
   EXPECT_THAT(model->remarks, Not(Contains(HasSubstr("are moduli given in MPa"))));
   Counters counters;
   EXPECT_NEAR(observed(*model, model->start(counters), "contact_force"), 0.15 * 3.6 * 1.5, 1e-4);
+}
+
+/// A stiff block of 6 mm on a soft one of the same width, pressed at `off` from its middle.
+std::string eccentric(double off, int below, int above) {
+  return fmt::format(R"(
+problem = "worn_body"
+mesh.file = "blocks_{1}_{2}.geo"
+wear = {{ on = ["face", "sole"], coefficient = 0.0 }}
+time.end = 1.0
+pair = [ {{ bodies = ["upper", "lower"] }} ]
+body = [ {{ name = "upper", young_modulus = 1e7, poisson_ratio = 0.0, material = "linear" }},
+         {{ name = "lower", young_modulus = 1e4, poisson_ratio = 0.0, material = "linear" }} ]
+support = [ {{ on = "base" }}, {{ on = "pivot", directions = ["x"] }} ]
+load = [ {{ on = "top", force = [0.0, -60.0] }}, {{ on = "top", moment = {0} }} ]
+)",
+                     -60 * off, below, above);
+}
+
+std::string blocks(int below, int above) {
+  return fmt::format(R"(Point(1) = {{-3, -2, 0}}; Point(2) = {{3, -2, 0}}; Point(3) = {{3, 0, 0}};
+Point(4) = {{-3, 0, 0}}; Line(1) = {{1, 2}}; Line(2) = {{2, 3}}; Line(3) = {{3, 4}};
+Line(4) = {{4, 1}}; Curve Loop(1) = {{1 : 4}}; Plane Surface(1) = {{1}};
+Point(11) = {{-3, 0, 0}}; Point(12) = {{3, 0, 0}}; Point(13) = {{3, 2, 0}};
+Point(14) = {{-3, 2, 0}}; Point(15) = {{0, 2, 0}}; Line(11) = {{11, 12}}; Line(12) = {{12, 13}};
+Line(13) = {{13, 15}}; Line(15) = {{15, 14}}; Line(14) = {{14, 11}};
+Curve Loop(11) = {{11, 12, 13, 15, 14}}; Plane Surface(11) = {{11}};
+Transfinite Curve {{1, 3}} = {0}; Transfinite Curve {{2, 4, 12, 14}} = 4;
+Transfinite Curve {{11}} = {1}; Transfinite Curve {{13, 15}} = {2};
+Transfinite Surface {{1}}; Transfinite Surface {{11}} = {{11, 12, 13, 14}};
+Recombine Surface {{1, 11}};
+Physical Surface("lower") = {{1}}; Physical Surface("upper") = {{11}};
+Physical Curve("base") = {{1}}; Physical Curve("face") = {{3}}; Physical Curve("sole") = {{11}};
+Physical Curve("top") = {{13, 15}}; Physical Point("pivot") = {{15}};
+)",
+                     below + 1, above + 1, above / 2 + 1);
+}
+
+/// It stands wherever the force meets its foot, on any mesh, and touches three times as far as the
+/// force is from the edge, as on a bed of springs; the bodies are elastic.
+TEST_F(Standing, ABlockStandsWhereverTheForceMeetsItsFoot) {
+  for (const auto& [below, above] : {std::pair{4, 6}, {6, 4}, {6, 12}, {12, 24}}) {
+    folder_.write(fmt::format("blocks_{}_{}.geo", below, above), blocks(below, above));
+    for (const double off : {1.5, 2.0, 2.2, 2.4, 2.6}) {
+      SCOPED_TRACE(fmt::format("{} and {} elements, {}", below, above, off));
+      const auto model = this->model(eccentric(off, below, above));
+      Counters counters;
+      const State start = model->start(counters);
+      EXPECT_NEAR(observed(*model, start, "contact_force"), 60, 0.01);
+      EXPECT_NEAR(observed(*model, start, "contact_half_width"), 1.5 * (3 - off),
+                  0.25 + 0.5 * 6 / std::min(below, above));
+    }
+  }
+  EXPECT_THAT(refusal(eccentric(3.2, 12, 24)), HasSubstr("\"upper\" can turn about"));
 }
 
 TEST_F(Standing, ARoundFootRollsOver) {
