@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <gnomon/terms/mortar_pair.hpp>
-#include <limits>
 
 #include "mesh/facet_bins.hpp"
 
@@ -63,25 +62,24 @@ template <int dim>
 bool is_within_margin(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& near,
                       const std::vector<Vector<dim>>& x, double part) {
   Vector<dim> common = Vector<dim>::Zero();
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& facet : pair.slave) {
-    smallest = std::min(smallest, Ball<dim>(facet, near).radius);
+  for (const auto& facet : pair.master)
     for (const int node : facet)
-      common += (x[node] - near[node]) / double(facet.size() * pair.slave.size());
-  }
-  // Along the surfaces: across them the reach allows for it.
+      common += (x[node] - near[node]) / double(facet.size() * pair.master.size());
+  // Along the facets, by their radii: across them the reach allows for it. Slaves look along their
+  // normals, so that also a common motion takes those that are inclined to it to other masters.
   const auto strays = [&](const auto& facets) {
     double most = 0;
     for (const auto& facet : facets) {
       const Vector<dim> n = facet_normal<dim>(facet, near);
+      const double radius = Ball<dim>(facet, near).radius;
       for (const int node : facet) {
         const Vector<dim> moved = x[node] - near[node] - common;
-        most = std::max(most, (moved - n * n.dot(moved)).norm());
+        most = std::max(most, (moved - n * n.dot(moved)).norm() / radius);
       }
     }
     return most;
   };
-  return strays(pair.slave) + strays(pair.master) <= part * margin * smallest;
+  return strays(pair.slave) + strays(pair.master) <= part * margin;
 }
 
 template <int dim>
