@@ -162,6 +162,10 @@ private:
       finer_trial =
           companions_.run(with(finer), "a pilot on elements of half this size", &coarse_->goals);
     } catch (const MeshUnchanged&) {
+      if (pilot_.mesh > 1) {  // the geometry makes them as large; others may be smaller
+        pilot_ = finer;
+        return measure_mesh();
+      }
       trade_.free_mesh = false;
       pilot_.mesh = 1;
       return judge_mesh();

@@ -7,6 +7,7 @@
 
 #include "budget/trade.hpp"
 #include "budget/trial.hpp"
+#include "part/part_scene.hpp"
 #include "support/pin_text.hpp"
 #include "support/problem_run.hpp"
 
@@ -111,6 +112,43 @@ TEST(Plan, LeavesAndJudgesAMeshThatItsGeometryFixes) {
   const auto mesh = std::ranges::find(made.known, "mesh.split", &BudgetPart::key);
   ASSERT_NE(mesh, made.known.end());
   EXPECT_GT(made.chosen().rest, *std::ranges::max_element(mesh->errors) / 2);
+}
+
+/// The largest elements of a liner are what its circles make of them, whatever size is asked for.
+TEST(Plan, RefinesAGeometryWhoseCoarsestMeshesAreTheSame) {
+  const SceneFolder folder;
+  folder.write("liner.geo", R"(SetFactory("OpenCASCADE");
+Disk(1) = {0, 0, 0, 12}; Disk(2) = {0, 0, 0, 9}; Disk(3) = {0, 0, 0, 7.03};
+BooleanDifference(4) = {Surface{1}; Delete;} {Surface{2};};
+BooleanDifference(5) = {Surface{2}; Delete;} {Surface{3}; Delete;};
+Coherence;
+bore() = Curve In BoundingBox {-7.1, -7.1, -1, 7.1, 7.1, 1};
+middle() = Curve In BoundingBox {-9.1, -9.1, -1, 9.1, 9.1, 1};
+out() = Curve In BoundingBox {-12.1, -12.1, -1, 12.1, 12.1, 1}; out() -= middle();
+Physical Curve("bore") = bore(); Physical Curve("housing") = out();
+Physical Surface("shell") = {4}; Physical Surface("liner") = {5};
+)");
+  const Scene asked = checked_scene(folder.write("liner.toml", R"(problem = "worn_body"
+mesh.file = "liner.geo"
+body = [ { name = "shell", young_modulus = 210e3, poisson_ratio = 0.3 },
+         { name = "liner", young_modulus = 1800.0, poisson_ratio = 0.38 } ]
+support = [ { on = "housing" } ]
+friction.coefficient = 0.1
+wear = { on = ["bore"], coefficient = 3e-8 }
+time.end = 3000.0
+accuracy.within = 0.01
+[counter_body]
+shape = "cylinder"
+center = [0.0, 0.0]
+radius = 7.0
+motion = { rotation = 60.0 }
+press = { direction = [0.0, -1.0], force = 40.0 }
+)"),
+                                    {});
+  const Plan made = plan_of(asked, {});
+  EXPECT_THAT(made.remarks, ::testing::Not(::testing::Contains(HasSubstr("is given"))));
+  EXPECT_LT(made.scene.real("mesh.factor"), 1);
+  EXPECT_LT(made.chosen().error(), 0.01);
 }
 
 TEST(Plan, RefusesWhatItCannotJudge) {
