@@ -115,7 +115,7 @@ ImportedMesh read(const std::string& file, double size, double factor, const std
     for (std::string& sentence : script.absent_members()) mesh.remarks.push_back(tidy(sentence));
   }
   copy_model(mesh, geometry);
-  if (file.ends_with(".geo") && factor != 1 && !changes_curves(file))
+  if (file.ends_with(".geo") && mesh.has_sizes && factor != 1 && !changes_curves(file))
     mesh.remarks.push_back(
         "its factor changes the number of elements on no curve: the script gives these numbers "
         "(Transfinite)");
