@@ -163,7 +163,9 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Scene& 
   // What finer elements and steps cannot improve is no reason for them; and no more than half as
   // large elements at once, for estimates of large errors are rough.
   if (repair.trade.rest > 0.7 * within) return {};
-  Factors factors = cheapest(repair.trade, within);
+  // The errors of a run are known better than those of pilots, for which half is used.
+  constexpr double used = 1.5;
+  Factors factors = cheapest(repair.trade, used * within);
   factors.mesh = std::clamp(factors.mesh, 0.5, 1.0);
   factors.time = std::clamp(factors.time, 0.01, 1.0);
   if (factors.mesh == 1 && factors.time == 1 && repair.phases.empty()) return {};
