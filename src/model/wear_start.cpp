@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "base/spectrum.hpp"
+#include "model/find_creepage.hpp"
 #include "model/path_march.hpp"
 #include "model/rigid_balance.hpp"
 
@@ -310,24 +311,6 @@ void require_touch(const Assembly<dim>& assembly, const Eigen::VectorXd& multipl
           "the bodies do not touch at the start, and contact alone holds \"{0}\": its loads have "
           "pushed \"{0}\" past what it touches; are moduli given in MPa, and loads in N?",
           body_of_part(assembly, part).name));
-}
-
-/// From the equilibrium at the given creepages, that with those that forces determine.
-template <int dim>
-void find_creepage(const WornBodyEquations<dim>& equations, FieldValues<dim>& values,
-                   Counters& counters) {
-  const ComposedSystem<dim> contact(equations.composition(), equations.deformation());
-  std::vector<double> y(contact.structure().size);
-  contact.numbering().gather(values, y);
-  NewtonSolver solver(contact.structure(), counters,
-                      {.max_iterations = 2 * max_iterations, .keep_factors = true});
-  const NewtonReport report = solver.solve(algebraic_function(contact), y);
-  if (!report.converged)
-    throw SolutionError(
-        "no creepage was found at which friction balances the forces along the surface: expected "
-        "less than friction.coefficient times the force on it; " +
-        report.reason);
-  contact.numbering().scatter(y, values);
 }
 
 }  // namespace

@@ -234,6 +234,19 @@ TEST_F(RollingScenes, ContactWhereNoMaterialComesFromIsToldOf) {
   EXPECT_THAT(doubts(facts), ::testing::Contains(HasSubstr("without friction")));
 }
 
+/// Unlike bodies that roll freely creep by 0.915 beta a / R for small friction, far from where the
+/// whole contact slips the same way (K. L. Johnson, Contact Mechanics, sec. 8.2).
+TEST_F(RollingScenes, FreeRollingOfUnlikeBodiesIsFoundForSmallFriction) {
+  constexpr double nu = 0.3, beta = (1 - 2 * nu) / (2 * (1 - nu));
+  const double a = std::sqrt(4 * Carter::P * Carter::R * (1 - nu * nu) / (M_PI * Carter::E));
+  for (const double friction : {0.002, 0.0005}) {
+    const Found rolls = found(cylinder("", nu), {"counter_body.press.2.force=0",
+                                                 fmt::format("friction.coefficient={}", friction)});
+    EXPECT_NEAR(rolls.creepage * Carter::R / (beta * a), 0.915, 0.045) << friction;
+    EXPECT_LT(std::abs(rolls.force), 1e-6 * friction * Carter::P);
+  }
+}
+
 TEST_F(RollingScenes, AForceThatFrictionDoesNotBalanceIsRefused) {
   expect_refused(cylinder(), {"counter_body.press.2.force=12.0"}, "at t = 0 s becomes more, 12");
   expect_refused(
