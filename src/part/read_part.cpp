@@ -159,7 +159,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   }
   if (parts.interface.rolling) {
     require_balanced_rolling(scene, parts);
-    if (creeps(parts) && !scene.given("wear.velocity")) require_no_distance(scene);
+    if (!slips_as_given(parts) && !scene.given("wear.velocity")) require_no_distance(scene);
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
       if (!scene.given("wear.velocity")) {
         parts.interface.speed = speed_of_rolling(parts, magnitudes);

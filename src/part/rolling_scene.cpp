@@ -33,6 +33,7 @@ bool rolls(const Scene& scene) {
 namespace {
 
 constexpr double along_surface = 1e-3;  // cosine
+constexpr double rounding = 1e-12;      // of a creepage, a part of the velocity
 
 template <int dim>
 Vector<dim> read_along(const Scene& scene, const std::string& key, const Vector<dim>& outward) {
@@ -102,7 +103,7 @@ std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& 
   if (scene.given("rolling.creepage"))
     rolling.creepage = read_along<dim>(scene, "rolling.creepage", outward);
   for (const Guide<dim>& guide : other.guides)
-    if (guide.creeps() && rolling.creepage.dot(guide.along) != 0)
+    if (guide.creeps() && std::abs(rolling.creepage.dot(guide.along)) > rounding)
       refuse(scene, given,
              fmt::format("none along {}.direction, whose force determines it", guide.key));
   if (!scene.given("rolling.spin")) return rolling;
@@ -248,9 +249,11 @@ void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
 }
 
 template <int dim>
-bool creeps(const AssemblyParts<dim>& parts) {
-  return parts.interface.rolling->creeps() ||
-         std::ranges::any_of(parts.interface.partner.guides, &Guide<dim>::creeps);
+bool slips_as_given(const AssemblyParts<dim>& parts) {
+  const Rolling<dim>& rolling = *parts.interface.rolling;
+  const bool is_given = !rolling.creepage.isZero(0) || !rolling.spin.isZero(0);
+  return is_given && !rolling.creeps() &&
+         std::ranges::none_of(parts.interface.partner.guides, &Guide<dim>::creeps);
 }
 
 template <int dim>
@@ -272,8 +275,8 @@ void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts) {
 
 template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&, CounterBody<2>&);
 template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&, CounterBody<3>&);
-template bool creeps(const AssemblyParts<2>&);
-template bool creeps(const AssemblyParts<3>&);
+template bool slips_as_given(const AssemblyParts<2>&);
+template bool slips_as_given(const AssemblyParts<3>&);
 template Rolling<2> rolling_of(const Scene&, const AssemblyParts<2>&);
 template Rolling<3> rolling_of(const Scene&, const AssemblyParts<3>&);
 template void let_roll(const Scene&, AssemblyParts<2>&);

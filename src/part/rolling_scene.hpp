@@ -26,9 +26,9 @@ std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& 
 template <int dim>
 void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>& other);
 
-/// Whether forces determine a creepage.
+/// Whether a creepage is given, and none found by forces: only then slip is known before a run.
 template <int dim>
-bool creeps(const AssemblyParts<dim>& parts);
+bool slips_as_given(const AssemblyParts<dim>& parts);
 
 /// The speed that scales are made with: by the creepage, or by what friction shears the contact
 /// [length / time].

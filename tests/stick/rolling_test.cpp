@@ -69,7 +69,8 @@ protected:
 // A rate that falls to zero with the sliding distance, velocity times creepage times time.
 TEST_F(RollingScenes, ARateMayEndWithTheSlidingDistance) {
   const std::string rate = "wear.rate=\"k*p*v*max(1 - s/160, 0)\"";
-  expect_refused(cylinder(), {rate}, "no sliding distance s, or also wear.velocity");
+  for (const char* creepage : {"", "creepage = [0.0, 0.0]"})
+    expect_refused(cylinder(creepage), {rate}, "no sliding distance s, or also wear.velocity");
   const auto model = this->model(cylinder("creepage = [4e-4, 0.0]"),
                                  {"mesh.file=coarse.geo", rate, "integrator.events=locate"});
   Counters counters;
