@@ -12,9 +12,9 @@
 //   r = u - c - dt (v^2 - |V| sum_k xi_k e_k)
 //
 // with unknown creepages xi_k along e_k; with small strains the body streams as far as v^2 dt, both
-// are left out, and r - r_before is projected on the undeformed surface first. T follows from the multiplier lambda_T and Delta
-// (laws/stick_friction.hpp). The rows of the multipliers make them equal to lambda_eff and T, so
-// that the force needs no more than
+// are left out, and r - r_before is projected on the undeformed surface first. T follows from
+// lambda_T and Delta (laws/stick_friction.hpp). The rows of the multipliers make them equal to
+// lambda_eff and T, so that the force needs no more than
 //
 //   force = A (lambda n + lambda_T)      row of u
 //   Wdot  = Wdot(p, v),  p the mean of this phase and the one before,  v = |Delta| / interval
