@@ -100,13 +100,21 @@ Place<dim> place_of(const ContactPatch<dim>& patch) {
   return {patch.initial_position, patch.initial_normal};
 }
 
+/// A point of the body in the coordinates of the counter-body that touches it: a gap at first is
+/// closed along the approach.
+template <int dim>
+Vector<dim> touched_by(const CounterBody<dim>& other, const Vector<dim>& point) {
+  const double travel = other.travel_to(point);
+  return other.seen(point, std::isfinite(travel) ? travel : 0);
+}
+
 /// |v_T| of the counter-body's surface at a place, its mean over the instants.
 template <int dim>
 double speed_at(const Instants<dim>& instants, const Place<dim>& place) {
   double sum = 0;
   for (const CounterBody<dim>& other : instants) {
     auto motion = other.motion;
-    motion.reference = place.point - other.position;
+    motion.reference = touched_by(other, place.point);
     motion.normal = place.normal;
     sum += motion.nominal_speed(Vector<dim>::Zero());
   }
@@ -171,7 +179,7 @@ Meeting<dim> find_meeting(const Scene& scene, const std::vector<ContactPatch<dim
   Place<dim> place = typical_place<dim>(other, touching);
   place.normal = counter_normal<dim>(other, place);
   Meeting<dim> meeting{rest, 0};
-  meeting.partner.motion.reference = place.point - rest.position;
+  meeting.partner.motion.reference = touched_by(rest, place.point);
   meeting.partner.motion.normal = place.normal;
   const auto by_motion = [&] {
     return cycle ? mean_speed(*cycle, meeting.partner) : speed_at<dim>(other, place);

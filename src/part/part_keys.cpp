@@ -78,7 +78,7 @@ std::vector<Key> own_keys() {
   return {
       {.name = "friction.stick",
        .kind = KeyKind::flag,
-       .absent_meaning = "false; contact that rolls may stick",
+       .absent_meaning = "false, but contact that rolls may stick",
        .help = "contact may stick in a part of the cycle, as in fretting: its phases are then a "
                "path (docs/fretting.md)"},
       friction_factor_key(),
@@ -116,8 +116,8 @@ std::vector<Key> shared_keys() {
     if (replaced(key.name)) continue;
     if (key.name == "wear.velocity") {
       key.absent_meaning =
-          "that of counter_body.motion, or of [[motion]], at the contact; in rolling their "
-          "difference";
+          "that of counter_body.motion, or of [[motion]], at the contact; in rolling the creepage "
+          "times the velocity";
       key.help = "sliding speed that s = v t is counted with";
       key.idle = [](const Scene& scene) {
         return reads_in_rates(scene, "s") || reads_in_friction(scene, "s") ? ""

@@ -33,7 +33,7 @@ bool rolls(const Scene& scene) {
 namespace {
 
 constexpr double along_surface = 1e-3;  // cosine
-constexpr double rounding = 1e-12;      // of a creepage, a part of the velocity
+constexpr double rounding = 1e-12;      // of a creepage, as a part of the velocity
 
 template <int dim>
 Vector<dim> read_along(const Scene& scene, const std::string& key, const Vector<dim>& outward) {
@@ -69,10 +69,38 @@ void read_creepage_of_motion(const Vector<dim>& outward, const RigidMotion<dim>&
   Vector<dim> v = motion.at(motion.reference);
   v -= n * n.dot(v);
   rolling.creepage = (rolling.velocity - v) / V;
+  for (double& component : rolling.creepage)
+    if (std::abs(component) < rounding) component = 0;
   if constexpr (dim == 3) {
     const Tensor<3> about = spin_about(n, 1);
-    rolling.spin = -about * (about.cwiseProduct(motion.spin).sum() / (2 * V));
+    const double rate = about.cwiseProduct(motion.spin).sum() / 2;
+    if (std::abs(rate) > rounding * motion.spin.norm()) rolling.spin = about * (-rate / V);
   }
+}
+
+/// Of [rolling], or of counter_body.motion, which `other` then no longer has. Returns the key that
+/// gives it.
+template <int dim>
+std::string read_creepage(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>& other,
+                          Rolling<dim>& rolling) {
+  for (const std::string key : {"counter_body.motion.velocity", "counter_body.motion.rotation"}) {
+    if (!scene.given(key)) continue;
+    for (const std::string of : {"rolling.creepage", "rolling.spin"})
+      if (scene.given(of)) refuse(scene, of, fmt::format("none beside {}, which gives it", key));
+    if (other.motion.across != 0) refuse(scene, key, "none across the plane beside [rolling]");
+    read_creepage_of_motion<dim>(outward, other.motion, rolling);
+    other.motion = {.reference = other.motion.reference, .normal = other.motion.normal};
+    return key;
+  }
+  if (scene.given("rolling.creepage"))
+    rolling.creepage = read_along<dim>(scene, "rolling.creepage", outward);
+  if (scene.given("rolling.spin")) {
+    if constexpr (dim == 3)
+      rolling.spin = spin_about(outward, scene.real("rolling.spin"));
+    else
+      refuse(scene, "rolling.spin", "none in the plane");
+  }
+  return "rolling.creepage";
 }
 
 }  // namespace
@@ -90,27 +118,11 @@ std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& 
                        .centre = other.position + other.motion.reference};
   if (!(rolling.velocity.norm() > 0))
     refuse(scene, "rolling.velocity", "a velocity that is not zero");
-  std::string given = "rolling.creepage";
-  for (const std::string key : {"counter_body.motion.velocity", "counter_body.motion.rotation"}) {
-    if (!scene.given(key)) continue;
-    for (const std::string of : {"rolling.creepage", "rolling.spin"})
-      if (scene.given(of)) refuse(scene, of, fmt::format("none beside {}, which gives it", key));
-    if (other.motion.across != 0) refuse(scene, key, "none across the plane beside [rolling]");
-    read_creepage_of_motion<dim>(outward, other.motion, rolling);
-    given = key;
-  }
-  other.motion = {.reference = other.motion.reference, .normal = other.motion.normal};
-  if (scene.given("rolling.creepage"))
-    rolling.creepage = read_along<dim>(scene, "rolling.creepage", outward);
+  const std::string given = read_creepage<dim>(scene, outward, other, rolling);
   for (const Guide<dim>& guide : other.guides)
-    if (guide.creeps() && std::abs(rolling.creepage.dot(guide.along)) > rounding)
+    if (guide.creeps() && rolling.creepage.dot(guide.along) != 0)
       refuse(scene, given,
              fmt::format("none along {}.direction, whose force determines it", guide.key));
-  if (!scene.given("rolling.spin")) return rolling;
-  if constexpr (dim == 3)
-    rolling.spin = spin_about(outward, scene.real("rolling.spin"));
-  else
-    refuse(scene, "rolling.spin", "none in the plane");
   return rolling;
 }
 

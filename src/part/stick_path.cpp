@@ -189,7 +189,8 @@ void require_no_distance(const Scene& scene) {
   for (const auto& [key, reads] : {std::pair("wear.rate", reads_in_rates(scene, "s")),
                                    std::pair("friction.factor", reads_in_friction(scene, "s"))})
     if (reads)
-      refuse(scene, key, "no sliding distance s, or also wear.velocity: no motion gives it");
+      refuse(scene, key,
+             "no sliding distance s, or also wear.velocity: the scene gives no speed of sliding");
 }
 
 bool memory_follows(const Scene& scene) {

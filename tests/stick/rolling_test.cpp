@@ -129,6 +129,11 @@ TEST_F(RollingScenes, TheMotionOfTheCounterBodyIsACreepage) {
                                         Carter::V * (1 - driven.creepage) / Carter::R)});
   EXPECT_NEAR(turns.creepage / driven.creepage, 1, 1e-6);
   EXPECT_NEAR(turns.force / Carter::Q, 1, 1e-4);
+  const Found from_afar =
+      found(cylinder("#"), {fmt::format("counter_body.motion.rotation={:.17g}",
+                                        Carter::V * (1 - driven.creepage) / Carter::R),
+                            fmt::format("counter_body.center=[0.0, {}]", Carter::R + 0.5)});
+  EXPECT_NEAR(from_afar.creepage / turns.creepage, 1, 1e-9);
 }
 
 /// Backwards, everything is the mirror image.
@@ -249,12 +254,13 @@ TEST_F(RollingScenes, FreeRollingOfUnlikeBodiesIsFoundForSmallFriction) {
 }
 
 TEST_F(RollingScenes, AForceThatFrictionDoesNotBalanceIsRefused) {
-  expect_refused(cylinder(), {"counter_body.press.2.force=12.0"}, "at t = 0 s becomes more, 12");
+  expect_refused(cylinder(), {"counter_body.press.2.force=12.0"},
+                 "from t = 0 s on the force along the surface, 12, is more");
   expect_refused(
       cylinder(),
       {fmt::format("counter_body.press.2.force={}", Carter::Q),
        "counter_body.press.2.factors=[1.0, 3.0]", "counter_body.press.2.times=[0.0, 1000.0]"},
-      fmt::format("at t = {:.4g} s", 500 * (1 / Carter::ratio - 1)));
+      fmt::format("from t = {:.4g} s", 500 * (1 / Carter::ratio - 1)));
 }
 
 TEST_F(RollingScenes, WhatDoesNotGoTogetherIsRefused) {
