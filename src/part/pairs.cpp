@@ -98,6 +98,7 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
       body_of_nodes(parts.mesh, body_of_cells(parts.bodies, parts.mesh.cells.size()));
   std::array<Vector<dim>, 2> load = {Vector<dim>::Zero(), Vector<dim>::Zero()};
   std::array<Vector<dim>, 2> held = load;
+  std::array<double, 2> whole{};  // of loads that cancel each other rounding is left
   NodalField<dim> forces =
       NodalField<dim>::Zero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim);
   for (const Load<dim>& each : parts.loads) forces += forces_of(each, parts);
@@ -108,12 +109,13 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
       const auto row = static_cast<Eigen::Index>(node);
       for (int i = 0; i < dim; ++i) held[side][i] += parts.supports.held(row, i);
       load[side] += forces.row(row).transpose();
+      whole[side] += forces.row(row).norm();
     }
   for (std::size_t side = 0; side < 2; ++side) {
     // A load along directions that supports hold does not press.
     const Vector<dim> free = (held[side].array() == 0).select(load[side], 0.0);
     const Vector<dim> presses = side == 0 ? Vector<dim>(-free) : free;
-    if (presses.norm() > rounding * load[side].norm() &&
+    if (presses.norm() > rounding * whole[side] &&
         presses.dot(outward) <= away * presses.norm() * area)
       return presses.normalized();
   }
@@ -122,7 +124,7 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
         turned_by_loads<dim>(parts, forces, side == 0 ? pair.slave : pair.master);
     const Vector<dim> presses = side == 0 ? Vector<dim>(-moves) : moves;
     const bool all_around = outward.norm() <= away * area;
-    if (presses.norm() > rounding * load[side].norm() &&
+    if (presses.norm() > rounding * whole[side] &&
         (all_around || presses.dot(outward) <= -away * presses.norm() * outward.norm()))
       return presses.normalized();
   }
