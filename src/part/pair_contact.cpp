@@ -285,14 +285,10 @@ void keep_normals_to_supports(AssemblyParts<dim>& parts) {
     for (const auto& patch : patches) normals[patch.node] = patch.initial_normal;
     for (const auto& patch : patches) {
       Tensor<dim> free = Tensor<dim>::Identity();
-      bool smooth = true;
-      for (int i = 0; i < dim; ++i) {
-        if (!held(patch.node, i)) continue;
-        free(i, i) = 0;
-        smooth = smooth && is_smooth_over<dim>(i, patch, held, normals);
-      }
+      for (int i = 0; i < dim; ++i)
+        if (held(patch.node, i) && is_smooth_over<dim>(i, patch, held, normals)) free(i, i) = 0;
       // Else it is no symmetry.
-      if (smooth && !free.isIdentity() && (free * patch.initial_normal).norm() > nearly)
+      if (!free.isIdentity() && (free * patch.initial_normal).norm() > nearly)
         pair.along[patch.node] = free;
     }
   }
