@@ -211,6 +211,7 @@ private:
       const std::vector<Pose<dim>> here = poses_;
       move(by);
       const Eigen::VectorXd next = resultant(law, at);
+      // A step that Newton's method has made longer than contact follows; slow motions go on.
       const bool through_a_stop = next.dot(R) < 0 && next.norm() > 0.5 * R.norm() && time > 1e-3,
                  too_far = next.norm() > 1.5 * R.norm() && time > 1;
       if (through_a_stop || too_far) {

@@ -65,8 +65,9 @@ bool is_within_margin(const MortarPair<dim>& pair, const std::vector<Vector<dim>
   for (const auto& facet : pair.master)
     for (const int node : facet)
       common += (x[node] - near[node]) / double(facet.size() * pair.master.size());
-  // Along the facets, by their radii: across them the reach allows for it. Slaves look along their
-  // normals, so that also a common motion takes those that are inclined to it to other masters.
+  // Relative to the mean motion of the master, along the facets and by their radii: across them the
+  // reach allows for it. Slaves look along their normals: one that sinks obliquely to its own meets
+  // other masters.
   const auto strays = [&](const auto& facets) {
     double most = 0;
     for (const auto& facet : facets) {

@@ -1,6 +1,7 @@
 // What the surfaces of pairs have at a state: positions, sums over facets, pressures and wear.
 #include <algorithm>
 #include <gnomon/terms/mortar_term.hpp>
+#include <limits>
 
 namespace gnomon {
 
@@ -127,8 +128,9 @@ template <int dim>
 void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
                                 SideState& state) const {
   const ContactPatch<dim>& own = patch(side);
-  // What rubs may be so little that there is no pressure.
-  if (state_.path || !side.slave ? !(state.pressure() > 0) : !state.active) return;
+  // What rubs, by the area, may underflow, and derivatives are divided by it.
+  constexpr double least = std::numeric_limits<double>::min();
+  if (state_.path || !side.slave ? !(state.pressure() >= least) : !state.active) return;
   const PatchNodal<dim> X = positions(at, own, nullptr);
   const double friction = pair(side).friction, speed = state.speed();
   const double p = state.pressure();
