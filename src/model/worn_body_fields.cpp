@@ -117,6 +117,22 @@ double slip_scale(const Assembly<dim>& body, const std::vector<Phase<dim>>& phas
   return range > 0 ? range : std::max(body.interface.friction, 1e-3) * scales.displacement;
 }
 
+/// Whether the partner moves in a direction over the cycle, at a contact node.
+template <int dim>
+bool partner_moves(const Assembly<dim>& body, const ContactPatch<dim>& patch, int direction) {
+  constexpr double rounding = 1e-9;
+  const auto carried = [&](const Phase<dim>& phase) {
+    return carried_by(body.cycle->motion, body.interface.partner, phase, patch.initial_position);
+  };
+  double range = 0, whole = 0;
+  for (std::size_t p = 0; body.cycle && p < body.phases.size(); ++p) {
+    const Vector<dim> here = carried(body.phases[p]), moved = here - carried(body.phases.front());
+    range = std::max(range, std::abs(moved[direction]));
+    whole = std::max(whole, here.norm());
+  }
+  return range > rounding * whole;
+}
+
 /// Whether friction at a contact node moves nothing in a direction: the node is held, and so is, of
 /// a pair, the node of the master that is opposite, as in a symmetry.
 template <int dim>
@@ -225,7 +241,9 @@ void WornBodyEquations<dim>::add_friction(const Scales& scales, FieldSet& set) {
   std::vector<std::pair<std::size_t, int>> held;  // contact nodes, and directions
   for (std::size_t c = 0; c < assembly_->contact_nodes.size(); ++c)
     for (int i = 0; i < dim; ++i)
-      if (held_on_partner(*assembly_, assembly_->contact_nodes[c].node, i)) held.emplace_back(c, i);
+      if (const ContactPatch<dim>& patch = assembly_->contact_nodes[c];
+          held_on_partner(*assembly_, patch.node, i) && !partner_moves(*assembly_, patch, i))
+        held.emplace_back(c, i);
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     Field traction =
         contact_vectors(*assembly_, of_friction("friction_multiplier", "lambda_T", p), set);

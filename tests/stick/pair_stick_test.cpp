@@ -446,6 +446,24 @@ TEST_F(PairFretting, JacobianEqualsFiniteDifferences) {
   check_jacobian(model->system(), 0, y, 0.2, &branch, 3e-5);
 }
 
+/// Sides that supports of both bodies hold along the motion rub, too: they are no symmetry.
+TEST_F(PairFretting, WhatBothBodiesHoldRubsWhereTheyMove) {
+  std::string text = pad_on_base;
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+  };
+  replace("{0, ", "{0.3, ");
+  replace("{1.2, ", "{1.1, ");
+  replace("{12, 14};\nPhysical Surface", "{12, 14, 2, 4};\nPhysical Surface");
+  folder_.write("pad.geo", text);
+  const auto model = this->model(
+      pad("motion = [ { body = \"pad\", cycle = { x = \"0.02 * sin(2*pi*tau)\" } } ]", "", ""));
+  Counters counters;
+  const State start = model->start(counters);
+  EXPECT_NEAR(observed(*model, start, "friction_force") / (0.3 * 10), 1, 1e-3);
+}
+
 /// A node that opens may keep the least number as its multiplier, which is no pressure once divided
 /// by an area that is more than one.
 TEST_F(PairFretting, TheLeastPressureHasDerivatives) {
