@@ -86,7 +86,8 @@ std::vector<std::string> doubts(const Examination& facts) {
   if (!facts.touched_end.empty())
     found.push_back(
         fmt::format("contact reaches an end of the mesh of \"{}\", which is a piece of its track: "
-                    "shapes and pressures are wrong, unless this is a plane of symmetry; a longer "
+                    "shapes and pressures are wrong, unless this is a plane of symmetry, of which "
+                    "path is half, too; a longer "
                     "mesh is needed",
                     facts.touched_end));
   if (facts.lost_wear > lost)
