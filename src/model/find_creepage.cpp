@@ -84,8 +84,8 @@ private:
 
   /// From no creepage to both sides.
   std::optional<Between> bracket(const FieldValues<dim>& values) {
-    constexpr double first = 1e-3, farthest = 100;  // of the scale
-    const double scale = whole_.structure().unknown_scale[creepages_.front()];
+    constexpr int doublings = 17;
+    double step = 1e-3 * whole_.structure().unknown_scale[creepages_.front()];
     struct Side {
       double at;
       FieldValues<dim> values;
@@ -93,15 +93,15 @@ private:
     Side ahead{0, values}, back{0, values};
     const std::optional<double> start = lack(0, ahead.values);
     if (!start) return {};
-    for (double step = first; step < farthest; step *= 2)
+    for (int k = 0; k < doublings; ++k, step *= 2)
       for (const auto& [side, sign] : {std::pair(&ahead, 1.0), std::pair(&back, -1.0)}) {
         const double before = side->at;
         FieldValues<dim> there = side->values;
-        const std::optional<double> found = lack(sign * step * scale, there);
+        const std::optional<double> found = lack(sign * step, there);
         if (!found) continue;
         if ((*found > 0) != (*start > 0))
-          return Between{before, sign * step * scale, *start > 0, std::move(side->values)};
-        *side = {sign * step * scale, std::move(there)};
+          return Between{before, sign * step, *start > 0, std::move(side->values)};
+        *side = {sign * step, std::move(there)};
       }
     return {};
   }

@@ -83,9 +83,9 @@ void read_creepage_of_motion(const Vector<dim>& outward, const RigidMotion<dim>&
 template <int dim>
 std::string read_creepage(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>& other,
                           Rolling<dim>& rolling) {
-  for (const std::string key : {"counter_body.motion.velocity", "counter_body.motion.rotation"}) {
+  for (const char* key : {"counter_body.motion.velocity", "counter_body.motion.rotation"}) {
     if (!scene.given(key)) continue;
-    for (const std::string of : {"rolling.creepage", "rolling.spin"})
+    for (const char* of : {"rolling.creepage", "rolling.spin"})
       if (scene.given(of)) refuse(scene, of, fmt::format("none beside {}, which gives it", key));
     if (other.motion.across != 0) refuse(scene, key, "none across the plane beside [rolling]");
     read_creepage_of_motion<dim>(outward, other.motion, rolling);
