@@ -100,20 +100,29 @@ FieldId add_creepage(const Rolling<dim>& rolling, std::size_t nodes, const Scale
   return set.add(std::move(creepage));
 }
 
+/// How far the partner has moved at a contact node in each of the phases, from the first [length].
+template <int dim>
+std::vector<Vector<dim>> moves_of_partner(const Assembly<dim>& body,
+                                          const std::vector<Phase<dim>>& phases,
+                                          const ContactPatch<dim>& patch) {
+  std::vector<Vector<dim>> moves;
+  if (!body.cycle) return moves;
+  const auto carried = [&](const Phase<dim>& phase) {
+    return carried_by(body.cycle->motion, body.interface.partner, phase, patch.initial_position);
+  };
+  for (const Phase<dim>& phase : phases) moves.push_back(carried(phase) - carried(phases.front()));
+  return moves;
+}
+
 /// How far the partner moves over the phases; without such a motion, what friction shears the
 /// contact [length].
 template <int dim>
 double slip_scale(const Assembly<dim>& body, const std::vector<Phase<dim>>& phases,
                   const Scales& scales) {
   double range = 0;
-  for (std::size_t c = 0; body.cycle && c < body.contact_nodes.size(); ++c) {
-    const ContactPatch<dim>& patch = body.contact_nodes[c];
-    const auto carried = [&](const Phase<dim>& phase) {
-      return carried_by(body.cycle->motion, body.interface.partner, phase, patch.initial_position);
-    };
-    for (const Phase<dim>& phase : phases)
-      range = std::max(range, (carried(phase) - carried(phases.front())).norm());
-  }
+  for (const ContactPatch<dim>& patch : body.contact_nodes)
+    for (const Vector<dim>& moved : moves_of_partner(body, phases, patch))
+      range = std::max(range, moved.norm());
   return range > 0 ? range : std::max(body.interface.friction, 1e-3) * scales.displacement;
 }
 
@@ -121,14 +130,10 @@ double slip_scale(const Assembly<dim>& body, const std::vector<Phase<dim>>& phas
 template <int dim>
 bool partner_moves(const Assembly<dim>& body, const ContactPatch<dim>& patch, int direction) {
   constexpr double rounding = 1e-9;
-  const auto carried = [&](const Phase<dim>& phase) {
-    return carried_by(body.cycle->motion, body.interface.partner, phase, patch.initial_position);
-  };
   double range = 0, whole = 0;
-  for (std::size_t p = 0; body.cycle && p < body.phases.size(); ++p) {
-    const Vector<dim> here = carried(body.phases[p]), moved = here - carried(body.phases.front());
+  for (const Vector<dim>& moved : moves_of_partner(body, body.phases, patch)) {
     range = std::max(range, std::abs(moved[direction]));
-    whole = std::max(whole, here.norm());
+    whole = std::max(whole, moved.norm());
   }
   return range > rounding * whole;
 }
