@@ -84,12 +84,11 @@ std::vector<std::string> doubts(const Examination& facts) {
                     "acts: an acceleration has the mass of the unworn bodies",
                     facts.stale_weight));
   if (!facts.touched_end.empty())
-    found.push_back(
-        fmt::format("contact reaches an end of the mesh of \"{}\", which is a piece of its track: "
-                    "shapes and pressures are wrong, unless this is a plane of symmetry, of which "
-                    "path is half, too; a longer "
-                    "mesh is needed",
-                    facts.touched_end));
+    found.push_back(fmt::format(
+        "contact reaches an end of the mesh of \"{}\", which is a piece of its track: "
+        "shapes and pressures are wrong, unless this is a plane of symmetry and path the "
+        "half; a longer mesh is needed",
+        facts.touched_end));
   if (facts.lost_wear > lost)
     found.push_back(
         fmt::format("{:.2g} of the wear of a body is at contact nodes whose shape is held, and is "
