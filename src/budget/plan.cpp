@@ -239,8 +239,9 @@ private:
       const auto scene = key.controls->scaled(with(pilot_), finer.factor);
       if (!scene) continue;
       const Trial trial = companions_.run(*scene, "a pilot with more phases");
-      double error =
-          largest(differences(coarse_->goals, trial.goals), places_) * finer.part_of_coarser;
+      double error = largest(differences(coarse_->goals, trial.goals),
+                             without_ends(places_, coarse_->goals.values)) *
+                     finer.part_of_coarser;
       if (asked_.is_set(key.name))
         remarks_.push_back(
             fmt::format("{} is given: its error is {:.2g} %", key.name, 100 * error));

@@ -55,6 +55,16 @@ std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Sca
   return places;
 }
 
+std::vector<std::size_t> without_ends(const std::vector<std::size_t>& places,
+                                      const std::vector<Scalar>& values) {
+  static const std::vector<std::string> of_ends = {"contact_half_width", "contact_area",
+                                                   "mean_pressure", "max_pressure"};
+  std::vector<std::size_t> left;
+  for (const std::size_t i : places)
+    if (std::ranges::find(of_ends, values[i].name) == of_ends.end()) left.push_back(i);
+  return left.empty() ? places : left;
+}
+
 double assumed(double error) {
   return std::isnan(error) ? 1 : std::abs(error);
 }

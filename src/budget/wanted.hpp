@@ -12,6 +12,11 @@ double read_within(const Scene& scene);
 /// Their places among `values`. Throws InputError for a word that has no value.
 std::vector<std::size_t> wanted_places(const Scene& scene, const std::vector<Scalar>& values);
 
+/// Those of `places`, all where no other is left, without the values that follow the ends of the
+/// contact: on coarse elements they differ by which nodes close, whatever else is made finer.
+std::vector<std::size_t> without_ends(const std::vector<std::size_t>& places,
+                                      const std::vector<Scalar>& values);
+
 /// An error that cannot be told counts as a whole one.
 double assumed(double error);
 

@@ -88,7 +88,7 @@ Scene shipped(const std::string& name, const Overrides& overrides) {
   return checked_scene(GNOMON_SOURCE_DIR "/problems/worn_body/" + name, overrides);
 }
 
-// On coarse meshes 16 phases are wrong by some 10 to 20 % in pressures.
+// On a coarse mesh 8 phases are wrong by some 5 % in pressures inside of the contact.
 TEST(Plan, ChoosesPhases) {
   const auto phases = [](const char* within) {
     const Scene asked =
@@ -98,7 +98,7 @@ TEST(Plan, ChoosesPhases) {
             .without("cycle.phases");
     return plan_of(asked, {}).scene.reals("cycle.phases").at(0);
   };
-  const double few = phases("0.5"), many = phases("0.1");
+  const double few = phases("0.5"), many = phases("0.002");
   EXPECT_GE(few, 16);
   EXPECT_LT(few, many);
   EXPECT_LE(many, 128);
