@@ -82,14 +82,15 @@ private:
   }
 
   void add_other(const Key& key) {
-    // Steps that follow nodes as they close depend on the mesh.
-    const bool on_own_mesh =
-        !coarse_ || (must_be_sure_ && key.controls->source == ErrorSource::time);
+    // Steps that follow nodes as they close depend on the mesh, and so do phases in which the last
+    // node closes.
+    const ErrorSource source = key.controls->source;
+    const bool on_own_mesh = !coarse_ || source == ErrorSource::phases ||
+                             (must_be_sure_ && source == ErrorSource::time);
     const Trial& base = on_own_mesh ? run_ : *coarse_;
-    const auto scene = key.controls->scaled(base.scene, Finer(key.controls->source).factor);
-    if (!scene) return;
+    if (!key.controls->scaled(base.scene, Finer(source).factor)) return;
     companions_.add(key, [&](BudgetPart& part) {
-      companions_.compare(part, base, *scene);
+      companions_.compare(part, base, key);
       if (!on_own_mesh) part.how += ", with " + coarse_is_;
     });
   }

@@ -84,10 +84,17 @@ void Companions::add_mesh(const Scene& scene, const Goals& goals,
   });
 }
 
-void Companions::compare(BudgetPart& part, const Trial& base, const Scene& finer) {
-  part.how = change_text(base.scene, finer);
-  part.errors = differences(base.goals, run(finer, part.how).goals);
-  for (double& error : part.errors) error = std::abs(error) * Finer(part.source).part_of_coarser;
+void Companions::compare(BudgetPart& part, const Trial& base, const Key& key) {
+  constexpr double part_of_fewer = 1.0 / 3;  // the error of half as many phases is four times
+  const Finer finer(part.source);
+  std::optional<Scene> fewer, other;
+  if (part.source == ErrorSource::phases) fewer = key.controls->scaled(base.scene, 2);
+  other = fewer ? fewer : key.controls->scaled(base.scene, finer.factor);
+  if (!other) throw InputError("it cannot be finer on the mesh of the companions");
+  part.how = change_text(base.scene, *other);
+  part.errors = differences(base.goals, run(*other, part.how).goals);
+  for (double& error : part.errors)
+    error = std::abs(error) * (fewer ? part_of_fewer : finer.part_of_coarser);
 }
 
 void respect_ledger(Budget& budget, double ledger) {

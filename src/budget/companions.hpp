@@ -47,8 +47,9 @@ public:
   void add_mesh(const Scene& scene, const Goals& goals,
                 const std::function<void(const OtherMesh&, BudgetPart&)>& find);
 
-  /// What `base` is wrong by, from a run of a scene in which the key of the part is finer.
-  void compare(BudgetPart& part, const Trial& base, const Scene& finer);
+  /// What `base` is wrong by, from a run of a scene in which the key of the part is finer, or of
+  /// one with half as many phases of a cycle, which costs less.
+  void compare(BudgetPart& part, const Trial& base, const Key& key);
 
 private:
   Budget& budget_;

@@ -111,18 +111,14 @@ private:
   }
 
   void add_other(const Key& key) {
-    const double factor = Finer(key.controls->source).factor;
-    const auto finer = key.controls->scaled(scene_, factor);
-    if (!finer) return;
+    if (!key.controls->scaled(scene_, Finer(key.controls->source).factor)) return;
     companions_.add(key, [&](BudgetPart& part) {
       // Nodes that come into contact make errors of their own, on each mesh others.
       if (part.source == ErrorSource::time && may_repeat_)
-        return companions_.compare(part, {scene_, goals_}, *finer);
+        return companions_.compare(part, {scene_, goals_}, key);
       if (!coarse_) coarse_ = cheap(own_, "the same mesh");
       const Trial& base = part.source == ErrorSource::model ? with_own_models() : *coarse_;
-      const auto scene = key.controls->scaled(base.scene, factor);
-      if (!scene) throw InputError("it cannot be finer on the mesh of the companions");
-      companions_.compare(part, base, *scene);
+      companions_.compare(part, base, key);
     });
   }
 

@@ -15,15 +15,16 @@ namespace {
 
 constexpr double most_phases = 4096;
 
-/// Where the scene gives their number, or no phases at all.
+/// Where the scene gives their number, or no phases at all. Not so few that the error of their mean
+/// no longer falls with their square.
 std::optional<Scene> with_scaled_phases(const Scene& scene, double factor) {
-  constexpr double usual = 16;
+  constexpr double usual = 16, fewest = 8;
   if (!scene.has("cycle.period") || chooses_phases(scene)) return {};
   const std::vector<double> phases =
       scene.given("cycle.phases") ? scene.reals("cycle.phases") : std::vector<double>{usual};
   if (phases.size() != 1 || phases[0] < 1) return {};
   const double count = std::round(phases[0] / factor);
-  if (count < 1 || count > most_phases) return {};
+  if (count < (factor > 1 ? fewest : 1) || count > most_phases) return {};
   return with_phases(scene, static_cast<long>(count));
 }
 

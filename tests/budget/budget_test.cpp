@@ -6,6 +6,7 @@
 #include <gnomon/budget/budget.hpp>
 #include <gnomon/run/setup.hpp>
 
+#include "budget/trial.hpp"
 #include "support/problem_run.hpp"
 
 namespace gnomon::budget_test {
@@ -58,6 +59,22 @@ TEST(Budget, OfALineContactIsTheErrorAgainstHertz) {
   expect_effectivity(total(budget, "max_pressure"),
                      std::abs(value(budget, "max_pressure") / largest - 1));
   EXPECT_TRUE(std::isnan(total(budget, "worn_volume")));  // it is zero, and has no relative error
+}
+
+// On the mesh of the run: on the coarser one widths would differ by which nodes close.
+TEST(Budget, OfTheMeanOverPhasesIsTheErrorAgainstMany) {
+  const Overrides few = {"mesh.factor=4", "integrator.rtol=1e-2", "cycle.phases=16"};
+  const Budget budget = budget_of("worn_body/cylinder_on_flat.toml", few);
+  const BudgetPart& phases = part(budget, ErrorSource::phases);
+  EXPECT_EQ(phases.how, "cycle.phases = 8");
+  Overrides many = few;
+  many.back() = "cycle.phases=64";
+  const auto reference =
+      budget::try_scene(checked_scene(shipped("worn_body/cylinder_on_flat.toml"), many),
+                        [](double) { return false; });
+  for (const char* name : {"wear_depth", "contact_half_width"})
+    expect_effectivity(phases.errors[index_of(budget, name)],
+                       std::abs(value(budget, name) / *value_of(reference.goals.values, name) - 1));
 }
 
 // Backward Euler in few steps: the error is that of time, and falls with the step.
