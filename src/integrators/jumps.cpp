@@ -7,24 +7,74 @@
 #include <gnomon/integrators/jumps.hpp>
 #include <gnomon/integrators/rates.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
+#include <set>
 
 namespace gnomon {
 
 namespace {
 
-/// F on another branch less F on the own one is the jump of the rates, where both have a value.
-std::vector<double> jump_of_rates(const System& system, const State& from, const State& to,
-                                  const ActiveSet& own, const ActiveSet& other) {
-  std::vector<double> here(to.y.size()), there(to.y.size());
+/// A switching function that has changed its sign, after a part of the step.
+struct Crossing {
+  std::size_t function;
+  double after;
+};
+
+/// F on one branch less F on the one before is the jump of the rates, where both have a value. The
+/// jumps of a node are taken one after the other: behind a layer that a step has passed as a whole
+/// the rate may be what it was before. Their sum without signs. `branch` is the one at the start.
+std::vector<double> jumps_of_rates(const System& system, const State& from, const State& to,
+                                   std::vector<Crossing> crossings, ActiveSet branch) {
+  const Structure& structure = system.structure();
+  std::ranges::stable_sort(crossings, {}, &Crossing::after);
+  std::vector<double> sum(to.y.size()), before(to.y.size()), behind(to.y.size());
   try {
-    system.residual({to.t, to.y, to.ydot, &own, from.t}, here);
-    system.residual({to.t, to.y, to.ydot, &other, from.t}, there);
+    system.residual({to.t, to.y, to.ydot, &branch, from.t}, before);
+    while (!on_all_processes(crossings.empty())) {
+      std::set<int> nodes;  // one crossing of each
+      std::erase_if(crossings, [&](const Crossing& crossing) {
+        const bool next = nodes.insert(structure.switch_node[crossing.function]).second;
+        if (next) branch[crossing.function] = !branch[crossing.function];
+        return next;
+      });
+      system.residual({to.t, to.y, to.ydot, &branch, from.t}, behind);
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        if (structure.differential[i]) sum[i] += std::abs(behind[i] - before[i]);
+      std::swap(before, behind);
+    }
   } catch (const RecoverableError&) {
     return std::vector<double>(to.y.size());
   }
-  const std::vector<char>& differential = system.structure().differential;
-  for (std::size_t i = 0; i < here.size(); ++i) here[i] = differential[i] ? there[i] - here[i] : 0;
-  return here;
+  return sum;
+}
+
+struct Branches {
+  ActiveSet at_start, at_end;  // but for switching functions that do not jump: both at the end
+};
+
+/// F on the second branch less F on the first.
+std::vector<double> difference(const System& system, const State& at, const Branches& branches) {
+  std::vector<double> first(at.y.size()), second(at.y.size());
+  system.residual({at.t, at.y, at.ydot, &branches.at_start}, first);
+  system.residual({at.t, at.y, at.ydot, &branches.at_end}, second);
+  for (std::size_t i = 0; i < first.size(); ++i) second[i] -= first[i];
+  return second;
+}
+
+std::vector<double> switching_values(const System& system, const State& at) {
+  std::vector<double> values(system.structure().switch_jumps.size());
+  system.switching({.t = at.t, .y = at.y, .ydot = at.ydot}, values);
+  return values;
+}
+
+Branches branches_of(const System& system, const std::vector<double>& before,
+                     const std::vector<double>& after) {
+  Branches found;
+  for (std::size_t j = 0; j < before.size(); ++j) {
+    found.at_end.push_back(after[j] <= 0);
+    found.at_start.push_back(system.structure().switch_jumps[j] ? before[j] <= 0
+                                                                : found.at_end.back());
+  }
+  return found;
 }
 
 /// Whether the algebraic rows jump in time at a state.
@@ -48,22 +98,32 @@ CrossedJumps jumps_between(const System& system, const State& from, const State&
   CrossedJumps found;
   const std::vector<char>& may_jump = system.structure().switch_jumps;
   if (std::ranges::count(may_jump, 1) == 0) return found;
-  std::vector<double> before(may_jump.size()), after(may_jump.size());
-  system.switching({.t = from.t, .y = from.y, .ydot = from.ydot}, before);
-  system.switching({.t = to.t, .y = to.y, .ydot = to.ydot}, after);
-  ActiveSet own, other;
+  std::vector<double> before = switching_values(system, from);
+  const std::vector<double> after = switching_values(system, to);
+  Branches branches = branches_of(system, before, after);
+  std::vector<Crossing> crossings;
   for (std::size_t j = 0; j < may_jump.size(); ++j) {
-    own.push_back(after[j] <= 0);
-    other.push_back(may_jump[j] ? before[j] <= 0 : own.back());
-    const bool crossed = own.back() != other.back();
-    if (!crossed) continue;
+    if (branches.at_start[j] == branches.at_end[j]) continue;
     found.functions.push_back(j);
-    found.first = std::min(found.first, before[j] / (before[j] - after[j]));
+    crossings.push_back({j, before[j] / (before[j] - after[j])});
+    found.first = std::min(found.first, crossings.back().after);
   }
   if (size && !on_all_processes(found.functions.empty()))
-    found.by = jump_of_rates(system, from, to, own, other);
+    found.by = jumps_of_rates(system, from, to, std::move(crossings), std::move(branches.at_start));
   found.before = std::move(before);
   return found;
+}
+
+double common_jump(const System& system, const State& from, const State& to) {
+  const Branches branches =
+      branches_of(system, switching_values(system, from), switching_values(system, to));
+  const std::vector<double> at_start = difference(system, from, branches),
+                            at_end = difference(system, to, branches);
+  double largest = 0;
+  for (std::size_t i = 0; i < at_start.size(); ++i)
+    if (system.structure().differential[i] && at_start[i] * at_end[i] > 0)
+      largest = std::max(largest, std::min(std::abs(at_start[i]), std::abs(at_end[i])));
+  return largest;
 }
 
 JumpError error_of_jumps(const System& system, const ErrorNorm& norm, const State& from,

@@ -94,6 +94,8 @@ public:
   std::string suspicion(const State& last) const;
 
 private:
+  bool is_jump(const State& before, const State& after) const;
+
   const System& system_;
   bool passes_over_;                // steps that do not follow jumps
   std::vector<std::size_t> jumps_;  // the switching functions

@@ -13,9 +13,14 @@ namespace gnomon {
 struct CrossedJumps {
   std::vector<std::size_t> functions;  ///< the switching functions that changed their sign
   double first = 1;             ///< part of the step after which the first of them did, by a line
-  std::vector<double> by = {};  ///< jump of the rate of each unknown, at the end of the step
+  std::vector<double> by = {};  ///< jumps of the rate of each unknown, at the end of the step: sums
   std::vector<double> before = {};  ///< values of the switching functions at the start
 };
+
+/// The largest jump that a rate makes at both states, as the smaller of the two. Of a condition on
+/// both sides of which rates are the same, as if(p > p0, p - p0, 0), the branches differ at the two
+/// states with unlike signs: it does not jump. Throws RecoverableError where a rate has no value.
+double common_jump(const System& system, const State& from, const State& to);
 
 /// The jumps between two states, `by` only if `size` is wanted.
 CrossedJumps jumps_between(const System& system, const State& from, const State& to, bool size);
