@@ -7,6 +7,7 @@ namespace gnomon {
 namespace {
 
 constexpr int parts = 2000;
+constexpr double least_part = 1e-15;  // of the run: what is earlier is at its start
 
 class Search {
 public:
@@ -68,10 +69,11 @@ private:
     return (low + high) / 2;
   }
 
-  /// By bisection to the last digit.
+  /// By bisection to the last digit, at zero to that of the run.
   double between(std::size_t which, double low, double high) const {
     const bool first = active(value(which, low));
-    for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
+    for (double middle = (low + high) / 2;
+         middle > low && middle < high && high > least_part * end_; middle = (low + high) / 2)
       (active(value(which, middle)) == first ? low : high) = middle;
     return std::abs(value(which, low)) < std::abs(value(which, high)) ? low : high;
   }
@@ -91,7 +93,7 @@ std::vector<double> sign_changes(const TimeFunctions& functions, std::size_t cou
   if (which.empty()) return found;
   const Search search(functions, count, end);
   for (const std::size_t function : which) search.find(function, found);
-  std::erase_if(found, [](double t) { return !(t > 0); });
+  std::erase_if(found, [&](double t) { return !(t > least_part * end); });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

@@ -40,6 +40,13 @@ bool is_nearly_zero(const WearInput& at, const WearRate& rate) {
   return -rate.value <= change * size;
 }
 
+/// Whether the smooth part in time ends before, where stages of some methods lie: 950 - t after
+/// 950, of max(950 - t, 0).
+bool is_continued_in_time(const WearInput& at, const std::vector<double>& breakpoints) {
+  const auto end = std::upper_bound(breakpoints.begin(), breakpoints.end(), at.moment.within);
+  return end != breakpoints.end() && at.moment.time > *end;
+}
+
 /// A law like p^0.8 has no slope at p = 0, where Newton needs one alone: none at all.
 void without_slope_at_zero(const WearInput& at, WearRate& rate) {
   if (at.pressure == 0 && !std::isfinite(rate.by_pressure)) rate.by_pressure = 0;
@@ -86,7 +93,7 @@ WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) cons
         at.pressure, at.speed, at.depth, at.moment.time));
   // A branch that is given may be continued to where it is negative.
   if (branches.empty() && at.pressure >= 0 && rate.value < 0 && !is_of_rounded_depth(at) &&
-      !is_nearly_zero(at, rate))
+      !is_nearly_zero(at, rate) && !is_continued_in_time(at, breakpoints()))
     throw RecoverableError(fmt::format(
         "the wear law adds material: its rate is {:.4g} at p = {:.4g}, v = {:.4g}, h = {:.4g}, t = "
         "{:.4g}, initial position ({:.4g}, {:.4g}, {:.4g})",

@@ -135,16 +135,18 @@ void LawInTime::refine(const Piece& piece, double within, int depth) {
 }
 
 /// Whether a parabola shows the rate in these pieces. What it misses is either little, or spread
-/// over them, so that the stages of a step see it.
+/// over them, so that the stages of a step see it. The ends show a part of it: many methods look
+/// nowhere else.
 bool LawInTime::shows(std::size_t first, std::size_t last, double tolerance) const {
-  constexpr double little = 0.1, spread = 0.15;
+  constexpr double little = 0.1, spread = 0.15, of_middle = 0.1;
   if (last - first == 1) return true;
   const double from = pieces_[first].from, to = pieces_[last - 1].to, middle = (from + to) / 2;
   const auto there = std::upper_bound(pieces_.begin() + static_cast<std::ptrdiff_t>(first),
                                       pieces_.begin() + static_cast<std::ptrdiff_t>(last), middle,
                                       [](double t, const Piece& piece) { return t < piece.from; });
   const Piece& in = *std::prev(there);
-  const double at_middle = in.at(middle);
+  const double at_middle = in.at(middle),
+               at_ends = std::max(pieces_[first].at_from, pieces_[last - 1].at_to);
   double least = std::numeric_limits<double>::infinity(), whole = 0, missed = 0, squares = 0;
   const auto take = [&](double t, double value, double weight) {
     const double off =
@@ -163,7 +165,9 @@ bool LawInTime::shows(std::size_t first, std::size_t last, double tolerance) con
     take(piece.to, piece.at_to, sixth);
   }
   const double length = to - from;
-  if (missed <= tolerance * integral_ * std::sqrt(length / duration_)) return true;
+  const double much = tolerance * integral_ * std::sqrt(length / duration_);
+  if (whole > much && at_ends < of_middle * at_middle) return false;
+  if (missed <= much) return true;
   return missed <= little * (whole - least * length) &&
          missed * missed >= spread * length * squares;
 }

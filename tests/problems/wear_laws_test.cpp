@@ -453,6 +453,37 @@ TEST(WearLawThatJumpsInDepth, IsFollowedByErrorControl) {
     }
 }
 
+// Behind the layer the law is what it was before, and steps are as long as the way to it.
+TEST(WearLawOfALayer, IsNotSteppedOver) {
+  const double rate = k * v * F / width, from = 0.5 * rate * end, thick = 0.002 * rate * end;
+  const auto model =
+      flat_springs(fmt::format("k * p * v * if(h > {} and h < {}, 0.01, 1)", from, from + thick));
+  const double depth = from + thick + 0.3 * rate * end;
+  EXPECT_NEAR(depth / (rate * end), 0.5 + 0.002 + (1 - 0.5 - 0.2), 1e-12);
+  for (const char* integrator : {"esdirk-3", "esdirk-5", "erk-3", "erk-4"}) {
+    const ModelRun run = run_model(*model, integrator, 0, 1e-4, end);
+    EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / (depth * width), 1, 3e-3)
+        << integrator;
+  }
+}
+
+// Conditions that change at t = 0 and rates that end at zero there, within rounding.
+TEST(WearLawOfAWave, IsTakenByEveryMethod) {
+  const std::map<std::string, double> means = {{"if(sin(2*pi*t/20) > 0, 2, 1)", 1.5},
+                                               {"if(sin(2*pi*t/20) < 0, 2, 1)", 1.5},
+                                               {"max(sin(2*pi*t/20), 0)", 1 / M_PI},
+                                               {"abs(sin(2*pi*t/20))", 2 / M_PI}};
+  ASSERT_EQ(std::fmod(end, 20), 0);
+  for (const auto& [factor, mean] : means) {
+    const auto model = springs("k * p * v * " + factor);
+    for (const Integrator& integrator : Integrators::all()) {
+      const ModelRun run = run_model(*model, integrator.name, 0, 1e-5, end);
+      EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / (k * v * F * end * mean), 1, 1e-2)
+          << integrator.name << ", " << factor;
+    }
+  }
+}
+
 // Where every spring has a time of its own, the steps between are as long as the tolerance allows,
 // and not one for each spring.
 TEST(WearLawThatJumpsInDepth, CostsNoEventForEveryNode) {

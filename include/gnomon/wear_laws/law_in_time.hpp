@@ -18,8 +18,8 @@ public:
   bool changes() const { return changes_; }
   double resolution() const { return duration_ / parts; }  ///< [time]
   /// Times between which a parabola through both ends and the middle shows what the rate does, up
-  /// to a small part of it or to `tolerance` of its integral over the run. Nothing where a
-  /// smooth part takes more than 5000 of them.
+  /// to a small part of it or to `tolerance` of its integral over the run, and its ends a part of
+  /// that. Nothing where a smooth part takes more than 5000 of them.
   std::optional<std::vector<double>> stops(double tolerance) const;
   /// How much it changes within `resolution`, and how much of it samples at irregular times see
   /// that those of this class do not: means of the differences over the mean rate.

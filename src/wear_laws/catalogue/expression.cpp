@@ -76,8 +76,16 @@ private:
   WearRate rate_at(const Variables& x, double within, std::span<const char> branches) const {
     Variables gradient{};
     const std::vector<char> all = all_branches(x, within, branches);
-    const double value = rate_.value_and_gradient(x, gradient, all);
+    double value = rate_.value_and_gradient(x, gradient, all);
+    if (value < 0 && -value <= of_rounded_time(x, gradient)) value = 0;
     return {value, gradient[0], gradient[1], gradient[2], gradient[3]};
+  }
+
+  /// By how much a rate is another one at a time that is rounded: of max(sin(2*pi*t), 0) at t = 1.
+  static double of_rounded_time(const Variables& x, const Variables& gradient) {
+    constexpr double rounding = 1e-12;
+    return rounding * (std::abs(gradient[time_variable] * x[time_variable]) +
+                       std::abs(gradient[slid_variable] * x[slid_variable]));
   }
 
   std::vector<char> active(const Variables& x) const {
