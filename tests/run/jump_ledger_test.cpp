@@ -70,8 +70,8 @@ TEST(CommonJump, IsThatOfAJumpAndNoneOfAKink) {
         jumps_between(model->system(), run.states.front(), run.last(), false).functions.empty());
     return common_jump(model->system(), run.states.front(), run.last());
   };
-  EXPECT_EQ(jump("k * v * if(p < 8, p, 8 + 5 * (p - 8))"), 0);
-  EXPECT_GT(jump("k * v * if(p < 8, p, 5 * p)"), 1e-7 * 1000 * 8);
+  EXPECT_EQ(jump("k * p * v * if(h < 0.005, 1, 1 + 50 * (h - 0.005))"), 0);
+  EXPECT_GT(jump("k * p * v * if(h < 0.005, 1, 5)"), 4 * 1e-7 * 1000);
 }
 
 }  // namespace
