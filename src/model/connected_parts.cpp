@@ -1,5 +1,7 @@
 #include "model/connected_parts.hpp"
 
+#include <algorithm>
+
 #include "mesh/connected_nodes.hpp"
 
 namespace gnomon {
@@ -31,11 +33,24 @@ std::vector<int> body_of_nodes(const Mesh<dim>& mesh, const std::vector<int>& bo
   return body;
 }
 
+template <int dim>
+std::vector<std::vector<int>> bodies_at_nodes(const Mesh<dim>& mesh,
+                                              const std::vector<int>& body_of_cells) {
+  std::vector<std::vector<int>> bodies(mesh.nodes.size());
+  for (std::size_t cell = 0; cell < body_of_cells.size(); ++cell)
+    for (const int node : mesh.cells[cell])
+      if (std::ranges::count(bodies[node], body_of_cells[cell]) == 0)
+        bodies[node].push_back(body_of_cells[cell]);
+  return bodies;
+}
+
 template std::vector<int> connected_parts(const Mesh<2>&);
 template std::vector<int> connected_parts(const Mesh<3>&);
 template std::vector<int> connected_parts(const Mesh<2>&, const std::vector<Body>&);
 template std::vector<int> connected_parts(const Mesh<3>&, const std::vector<Body>&);
 template std::vector<int> body_of_nodes(const Mesh<2>&, const std::vector<int>&);
 template std::vector<int> body_of_nodes(const Mesh<3>&, const std::vector<int>&);
+template std::vector<std::vector<int>> bodies_at_nodes(const Mesh<2>&, const std::vector<int>&);
+template std::vector<std::vector<int>> bodies_at_nodes(const Mesh<3>&, const std::vector<int>&);
 
 }  // namespace gnomon

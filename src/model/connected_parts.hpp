@@ -18,4 +18,9 @@ std::vector<int> connected_parts(const Mesh<dim>& mesh, const std::vector<Body>&
 template <int dim>
 std::vector<int> body_of_nodes(const Mesh<dim>& mesh, const std::vector<int>& body_of_cells);
 
+/// By node: all of them; several where bodies are bonded.
+template <int dim>
+std::vector<std::vector<int>> bodies_at_nodes(const Mesh<dim>& mesh,
+                                              const std::vector<int>& body_of_cells);
+
 }  // namespace gnomon

@@ -30,7 +30,7 @@ ContactArea contact_area(const Assembly<dim>& body, const NodalField<dim>& d,
     PatchNodal<dim> X(static_cast<Eigen::Index>(patch.nodes.size()), dim);
     for (Eigen::Index p = 0; p < X.rows(); ++p)
       X.row(p) = body.mesh.nodes[patch.nodes[p]].transpose() + d.row(patch.nodes[p]);
-    if (nodes[c].traction < 0) area += nodes[c].area;
+    if (nodes[c].load > 0) area += nodes[c].share;
     for (const auto& corner : patch.corners) {
       const auto others = std::ranges::count_if(
           corner.nodes, [&](int p) { return closed[patch.nodes[p]] != closed[patch.node]; });

@@ -49,7 +49,7 @@ void observe_contact(const std::vector<PhaseContact<dim>>& phases, const Assembl
   for (const auto& [weight, nodes] : phases)
     for (std::size_t c = 0; c < nodes.size(); ++c) {
       if (!body.carries[c]) continue;
-      force -= weight * body.copies * nodes[c].area * nodes[c].traction;
+      force += weight * body.copies * nodes[c].load;
       pressure = std::max(pressure, -nodes[c].traction);
       if (nodes[c].active) active[c] = 1;
     }
@@ -134,6 +134,18 @@ std::vector<double> observe_cells(const Assembly<dim>& body, const NodalField<di
   return worn;
 }
 
+/// The body that has all nodes of a facet.
+template <int dim>
+int body_of_facet(const typename ContactPatch<dim>::Corner& corner, const ContactPatch<dim>& patch,
+                  const std::vector<std::vector<int>>& bodies_at_nodes) {
+  for (const int body : bodies_at_nodes[patch.node])
+    if (std::ranges::all_of(corner.nodes, [&](int p) {
+          return std::ranges::count(bodies_at_nodes[patch.nodes[p]], body) > 0;
+        }))
+      return body;
+  return bodies_at_nodes[patch.node].front();
+}
+
 /// What each body of pairs has lost, and loses, with the whole of its tracks: "worn_volume_pin",
 /// "wear_flux_pin".
 template <int dim>
@@ -141,11 +153,15 @@ void observe_bodies(const Assembly<dim>& body, const std::vector<double>& worn,
                     const std::vector<PhaseContact<dim>>& phases, int units,
                     Observation& observed) {
   std::vector<double> flux(worn.size(), 0);
-  const std::vector<int> owner = body_of_nodes(body.mesh, body.body_of);
-  for (const auto& [weight, nodes] : phases)
-    for (std::size_t c = 0; c < nodes.size(); ++c)
-      flux[owner[body.contact_nodes[c].node]] +=
-          weight * body.copies * nodes[c].area * nodes[c].wear_rate;
+  const std::vector<std::vector<int>> bodies = bodies_at_nodes(body.mesh, body.body_of);
+  for (std::size_t c = 0; c < body.contact_nodes.size(); ++c) {
+    double of_node = 0;
+    for (const auto& [weight, nodes] : phases)
+      of_node += weight * body.copies * nodes[c].area * nodes[c].wear_rate;
+    for (const auto& corner : body.contact_nodes[c].corners)
+      flux[body_of_facet<dim>(corner, body.contact_nodes[c], bodies)] +=
+          of_node * corner.initial_area / body.contact_nodes[c].initial_area;
+  }
   const std::string volume = common("worn_volume", 0, units).unit,
                     rate = common("wear_flux", 0, units).unit;
   for (std::size_t b = 0; b < worn.size(); ++b) {

@@ -111,12 +111,14 @@ struct ContactNode {
   Vector<dim, Scalar> force = Vector<dim, Scalar>::Zero();
   Scalar constraint{0};
   Vector<dim, Scalar> velocity = Vector<dim, Scalar>::Zero();
-  PartnerMotion<Scalar> partner{};           ///< force on the partner in the rows of q
-  Scalar wear_rate{0};                       ///< Wdot [length / time]
-  Scalar traction{0};                        ///< lambda_eff [stress]
-  Scalar area{0};                            ///< A; of a pair of bodies, that which the partner
-                                             ///< covers, a tenth at least where it carries force
-  Scalar gap{0};                             ///< g [length]
+  PartnerMotion<Scalar> partner{};  ///< force on the partner in the rows of q
+  Scalar wear_rate{0};              ///< Wdot [length / time]
+  Scalar traction{0};               ///< lambda_eff [stress]
+  Scalar area{0};                   ///< A; of a pair of bodies, that which the partner
+                                    ///< covers, a tenth at least where it carries force
+  Scalar load{0};   ///< - lambda_eff A; of a pair, by the node's own multiplier alone [force]
+  Scalar share{0};  ///< the area that bears it
+  Scalar gap{0};    ///< g [length]
   Vector<dim> normal = Vector<dim>::Zero();  ///< n of the partner
   /// On the partner, in a phase; only where contact may stick (stick_node.hpp) [length].
   Vector<dim, Scalar> slip = Vector<dim, Scalar>::Zero();
@@ -284,7 +286,8 @@ ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
   normal = met.partner.normal;
   if (active) require_normal(patch, met.partner);
   traction = met.contact.traction;
-  area = surface.area;
+  area = share = surface.area;
+  load = -area * traction;
   force = (area * traction) * (met.normal - Scalar(parameters.friction) * met.sliding.direction);
   constraint = met.contact.constraint;
   partner.resize(at.q.size());

@@ -157,7 +157,8 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   contact.active = met.contact.active;
   contact.normal = met.partner.normal;
   contact.traction = met.contact.traction;
-  contact.area = surface.area;
+  contact.area = contact.share = surface.area;
+  contact.load = -surface.area * met.contact.traction;
   contact.force = surface.area * (at.contact.lambda * met.normal + at.traction);
   contact.constraint = met.contact.constraint;
   contact.partner.resize(at.contact.q.size());
