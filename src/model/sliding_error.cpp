@@ -15,6 +15,7 @@ template <int dim>
 struct MeanOfSide {
   double force = 0;
   Vector<dim> x = Vector<dim>::Zero(), moved = Vector<dim>::Zero();  // in space
+  std::vector<std::pair<double, Vector<dim>>> forces;                // of nodes, and where
 
   /// `motion`: of the nodes in the frame of the body, u or its rate.
   MeanOfSide(const Assembly<dim>& assembly, const std::set<int>& nodes, const BodyPlace<dim>& place,
@@ -26,8 +27,9 @@ struct MeanOfSide {
       const Vector<dim> own = u.row(node).transpose();
       force += part;
       moved += part * (place.turn * motion.row(node).transpose());
-      x += part * place.of(assembly.mesh.nodes[static_cast<std::size_t>(node)] +
-                           d.row(node).transpose() + own);
+      forces.emplace_back(part, place.of(assembly.mesh.nodes[static_cast<std::size_t>(node)] +
+                                         d.row(node).transpose() + own));
+      x += part * forces.back().second;
     }
     if (force > 0) moved /= force, x /= force;
   }
@@ -61,7 +63,10 @@ std::optional<MovedAxis> find_moved_axis(const WornBodyEquations<dim>& equations
         const double speed = std::hypot(v.norm(), across);
         // The first body's velocity is subtracted.
         const Vector<dim> right = v - (side == 0 ? -1.0 : 1.0) * wrong;
-        sliding += weight * speed;
+        // Of a whole ring the mean place is the centre, where nothing slides.
+        for (const auto& [force, x] : mean.forces)
+          sliding += contacts[p].weight * force *
+                     std::hypot(places.motion.at(x).norm(), places.motion.across_at(x));
         fast += weight * (speed - std::hypot(right.norm(), across));
         if (!spin.isZero(0)) way = std::max(way, mean.moved.norm());
       }
