@@ -193,12 +193,25 @@ std::string remark_on_time(const LawInTime& in_time,
         "the wear law changes with time by itself: what lasts {:.3g} s or longer is found, and "
         "steps end at {} times for it; what is shorter may be stepped over",
         resolution, stops->size());
-  const double seen = in_time.seen_by_steps(fixed_step);
-  if (std::abs(seen - 1) <= right) return {};
+  const double missed = in_time.missed_by_steps(fixed_step);
+  if (missed <= right) return {};
   return fmt::format(
-      "the wear law changes with time faster than steps of {:g} s can follow: they see {:.3g} "
-      "times what it wears over the run",
-      fixed_step, seen);
+      "the wear law changes with time faster than steps of {:g} s can follow: {:.2g} % of what it "
+      "wears lies between their ends and middles",
+      fixed_step, 100 * missed);
+}
+
+/// All phases of a cycle have one time, and the law that of the run.
+std::string remark_on_cycle(const Scene& scene, const LawInTime& in_time) {
+  constexpr double much = 0.05;
+  const auto period = scene.knows("cycle.period") ? scene.real_if("cycle.period") : std::nullopt;
+  const double change = period ? in_time.change_within(*period) : 0;
+  if (change < much) return {};
+  return fmt::format(
+      "the wear law changes with time by {:.2g} of its mean within cycle.period: all phases of a "
+      "cycle have one time, so that the run has its mean over time times that of a cycle, and not "
+      "what both make together",
+      change);
 }
 
 }  // namespace
@@ -222,6 +235,7 @@ WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumsta
   std::optional<std::vector<double>> stops = std::vector<double>();
   if (step == 0) stops = in_time.stops(scene.real("integrator.rtol"));
   remark(remark_on_time(in_time, stops, step, where_law(scene, rate_key)));
+  remark(remark_on_cycle(scene, in_time));
   return in_time.changes() ? law.with_stops(std::move(stops).value_or(std::vector<double>())) : law;
 }
 

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/wear_laws/law_in_time.hpp>
 #include <limits>
+#include <numeric>
 
 namespace gnomon {
 
@@ -200,19 +202,44 @@ std::optional<std::vector<double>> LawInTime::stops(double tolerance) const {
   return found;
 }
 
-double LawInTime::seen_by_steps(double step) const {
-  if (!changes_ || integral_ == 0 || step < duration_ / pieces_.size()) return 1;
-  double sum = 0;
-  for (std::size_t k = 0; k + 1 < ends_.size(); ++k) {
-    double from = ends_[k], before = rate(from, ends_[k]);
-    while (from < ends_[k + 1]) {
-      const double grid = step * (std::floor(from / step * (1 + 1e-12)) + 1);
-      const double to = std::min(grid, ends_[k + 1]), at_to = rate(to, ends_[k]);
-      sum += (to - from) * (before + at_to) / 2;
-      from = to, before = at_to;
+double LawInTime::change_within(double period) const {
+  constexpr int most = 100, samples = 16;
+  if (!changes_ || integral_ == 0) return 0;
+  const int periods = static_cast<int>(std::clamp(std::floor(duration_ / period), 1.0, 1.0 * most));
+  double off = 0, sum = 0;
+  for (int k = 0; k < periods; ++k) {
+    const double begin = std::max(0.0, duration_ - period) * k / std::max(1, periods - 1);
+    std::array<double, samples> values{};
+    for (int i = 0; i < samples; ++i) {
+      const double t = std::min(begin + (i + 0.5) / samples * period, duration_);
+      values[i] = rate(t, *std::prev(std::ranges::upper_bound(ends_, t)));
+    }
+    const double mean = std::reduce(values.begin(), values.end()) / samples;
+    for (const double value : values) off += std::abs(value - mean) / samples;
+    sum += mean;
+  }
+  return sum > 0 ? off / sum : 0;
+}
+
+double LawInTime::missed_by_steps(double step) const {
+  if (!changes_ || integral_ == 0 || step < duration_ / static_cast<double>(pieces_.size()))
+    return 0;
+  double missed = 0;
+  for (std::size_t part = 0; part + 1 < begins_.size(); ++part) {
+    const double begin = ends_[part], end = ends_[part + 1];
+    Piece whole{begin, begin, 0, 0, 0};  // the step of a piece, by the middle of that
+    for (std::size_t k = begins_[part]; k < begins_[part + 1]; ++k) {
+      const Piece& piece = pieces_[k];
+      const double middle = (piece.from + piece.to) / 2;
+      while (whole.to < middle && whole.to < end) {
+        const double from = whole.to,
+                     to = std::min(step * (std::floor(from / step * (1 + 1e-12)) + 1), end);
+        whole = {from, to, rate(from, begin), rate((from + to) / 2, begin), rate(to, begin)};
+      }
+      missed += std::abs(piece.at_middle - whole.at(middle)) * (piece.to - piece.from);
     }
   }
-  return sum / integral_;
+  return missed / integral_;
 }
 
 }  // namespace gnomon

@@ -86,13 +86,22 @@ TEST(LawInTime, KnowsThatStepsCannotFollow) {
   EXPECT_TRUE(LawInTime(slow, range).stops(1e-4));
 }
 
-TEST(LawInTime, SeesWhatFixedStepsSee) {
+TEST(LawInTime, TellsWhatItDoesWithinACycle) {
+  const WearLaw wave = law_of("p*v*(1 + sin(2*pi*t/500))");
+  EXPECT_NEAR(LawInTime(wave, range).change_within(500), 2 / M_PI, 0.02);
+  EXPECT_LT(LawInTime(wave, range).change_within(5), 0.03);
+}
+
+TEST(LawInTime, TellsWhatFixedStepsMiss) {
   const WearLaw pulse = law_of("p*v*(1 + 1000*exp(-((t-5100)/5)^2))");
-  const double whole = end + 1000 * 5 * std::sqrt(M_PI);
+  const double of_pulse = 1000 * 5 * std::sqrt(M_PI), whole = end + of_pulse;
   const LawInTime in_time(pulse, range);
-  EXPECT_NEAR(in_time.seen_by_steps(500), end / whole, 1e-4);
-  EXPECT_NEAR(in_time.seen_by_steps(1), 1, 1e-3);
-  EXPECT_NEAR(LawInTime(archard(1), range).seen_by_steps(500), 1, 1e-12);
+  EXPECT_NEAR(in_time.missed_by_steps(500), of_pulse / whole, 0.01);
+  EXPECT_LT(in_time.missed_by_steps(1), 1e-3);
+  EXPECT_EQ(LawInTime(archard(1), range).missed_by_steps(500), 0);
+  // Ends and middles of steps of a period see the mean, stages between do not.
+  const WearLaw wave = law_of("p*v*(1 + sin(2*pi*t/500))");
+  EXPECT_NEAR(LawInTime(wave, range).missed_by_steps(500), 2 / M_PI, 0.01);
 }
 
 TEST(IdleLaw, IsRemarkedOn) {

@@ -25,9 +25,13 @@ public:
   /// that those of this class do not: means of the differences over the mean rate.
   double fast_part() const { return integral_ > 0 ? fast_ / integral_ : 0; }
   double unseen_part() const;
-  /// The part of its integral over the run that the trapezoidal rule with these steps, which also
-  /// end at breakpoints, gives.
-  double seen_by_steps(double step) const;
+  /// How much it changes within a cycle of this period, the mean over the run, as a part of its
+  /// mean.
+  double change_within(double period) const;
+  /// What lies off the parabolas through the ends and the middle of these steps, which also end at
+  /// breakpoints, as a part of the integral. Of steps with a larger part, what a method sees
+  /// depends on where its stages lie.
+  double missed_by_steps(double step) const;
 
 private:
   static constexpr int parts = 2000;
