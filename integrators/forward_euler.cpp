@@ -39,8 +39,9 @@ public:
     // The difference from Heun's method.
     error_.clear();
     for (int i : norm_.components()) error_.push_back(h / 2 * (to.ydot[i] - from.ydot[i]));
-    const double integral =
-        integrand_ ? h * integrand_({from.t, from.y, from.ydot, from.own_branch()}) : 0;
+    // Behind an event the rates are those of its other side.
+    const ActiveSet* const branch = options.branch ? options.branch : from.own_branch();
+    const double integral = integrand_ ? h * integrand_({from.t, from.y, from.ydot, branch}) : 0;
     return {.success = true, .error = norm_(error_, to.y), .integral = integral};
   }
 

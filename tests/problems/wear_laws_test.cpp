@@ -10,6 +10,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/newton/newton.hpp>
+#include <gnomon/run/run.hpp>
 
 #include "support/problem_run.hpp"
 
@@ -451,6 +452,23 @@ TEST(WearLawThatJumpsInDepth, IsFollowedByErrorControl) {
           << integrator.name << " at " << tolerance;
       EXPECT_LT(run.states.size(), tolerance < 1e-3 ? 150 : 80) << integrator.name;
     }
+}
+
+// Behind the event nothing wears, and the integral of the rates knows it.
+TEST(WearLawThatJumpsInDepth, HasTheIntegralOfItsOtherSideWithLocatedEvents) {
+  const auto model =
+      flat_springs(fmt::format("k * p * v * if(h < {}, 5, 0)", k * v * F / width * end));
+  for (const char* integrator : {"forward-euler", "erk-3", "esdirk-3"}) {
+    IntegratorSettings settings = controlled_settings(*model, 1e-4, end);
+    settings.locate_events = true;
+    const RunOutcome outcome =
+        run(*model, Integrators::find(integrator, "integrator"), settings, {}, nullptr, {});
+    ASSERT_EQ(outcome.status, RunOutcome::Status::finished) << integrator;
+    EXPECT_NEAR(*value_of(outcome.last->scalars, "wear_integral") /
+                    *value_of(outcome.last->scalars, "worn_volume"),
+                1, 1e-3)
+        << integrator;
+  }
 }
 
 // Behind the layer the law is what it was before, and steps are as long as the way to it.
