@@ -46,18 +46,24 @@ std::vector<int> bodies_of_nodes(const ImportedMesh& mesh,
 
 std::vector<std::string> separate_groups(const ImportedMesh& mesh) {
   std::vector<std::string> names;
-  std::vector<int> group_of(mesh.nodes.size(), -1);
+  std::vector<int> group_of(mesh.nodes.size(), -1), bonded;
   for (const MeshGroup& group : mesh.groups) {
     if (group.dimension != mesh.dimension) continue;
     const auto number = static_cast<int>(names.size());
     names.push_back(group.name);
+    bonded.push_back(number);
     for (const int cell : group.members)
       for (const int node : mesh.cells.at(cell)) {
-        if (group_of[node] >= 0 && group_of[node] != number) return {};
-        group_of[node] = number;
+        if (group_of[node] < 0) group_of[node] = number;
+        const auto [kept, gone] =
+            std::minmax({kept_for(bonded, group_of[node]), kept_for(bonded, number)});
+        bonded[gone] = kept;
       }
   }
-  return names.size() > 1 ? names : std::vector<std::string>();
+  const bool is_one = std::ranges::all_of(names, [&, number = 0](const std::string&) mutable {
+    return kept_for(bonded, number++) == 0;
+  });
+  return is_one ? std::vector<std::string>() : names;
 }
 
 void merge_equal_nodes(ImportedMesh& mesh, const std::vector<std::string>& separate) {

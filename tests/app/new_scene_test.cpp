@@ -212,6 +212,19 @@ TEST_F(NewScene, OfAStackHasEachBodyOnTheOneBelow) {
   EXPECT_EQ(check.exit_code, 0) << check.err;
 }
 
+// The pads share the line between them, which bonds them.
+TEST_F(NewScene, OfBondedBodiesOnAnotherOneHasThemAll) {
+  const std::string text = scene(R"(SetFactory("OpenCASCADE");
+Rectangle(1) = {-2, 0, 0, 2, 1}; Rectangle(2) = {0, 0, 0, 2, 1}; BooleanFragments{ Surface{1, 2}; Delete; }{}
+Rectangle(3) = {-3, -1, 0, 6, 1};
+Physical Surface("left") = {1}; Physical Surface("right") = {2}; Physical Surface("base") = {3};
+Mesh.MeshSizeMax = 0.4;
+)");
+  EXPECT_THAT(text, HasSubstr("\nbodies = [\"left\", \"base\"]\n"));
+  EXPECT_THAT(text, HasSubstr("\nbodies = [\"right\", \"base\"]\n"));
+  EXPECT_THAT(text, Not(HasSubstr("\nbodies = [\"left\", \"right\"]\n")));
+}
+
 constexpr const char* apart = R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 1, 1}; Rectangle(2) = {2, 2, 0, 1, 1};
 Physical Surface("a") = {1}; Physical Surface("b") = {2};

@@ -40,8 +40,8 @@ template <int dim>
 ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& ascending = {},
                              int splits = 0, const std::vector<std::string>& separate = {});
 
-/// The named groups of cells, if there are several and no node belongs to two of them: bodies of
-/// their own, unless a scene says otherwise. Else none.
+/// The named groups of cells, if there are several and nodes that belong to two of them do not bond
+/// all to one: bodies of their own, unless a scene says otherwise. Else none.
 std::vector<std::string> separate_groups(const ImportedMesh& mesh);
 
 /// The facets of a boundary part. Throws InputError that says why there is none, with the nearest
