@@ -89,7 +89,7 @@ void apply_forces(const CyclicMotion<dim>& motion, Phase<dim>& phase) {
     }
     sum += along.value_or(0) * guide.along;
   }
-  if (changes) phase.counter_body.come_along(sum);
+  if (changes && phase.force) phase.counter_body.come_along(sum);
 }
 
 }  // namespace

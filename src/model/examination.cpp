@@ -150,12 +150,14 @@ double find_overlap(const WornBodyEquations<dim>& equations) {
   return deepest;
 }
 
-/// In the phase where it is largest; the forces of a moment may have no sum.
+/// In the phase where it is largest; the forces of a moment may have no sum, and those beside an
+/// approach or an overlap do not press.
 template <int dim>
 double find_wedging(const std::vector<Phase<dim>>& phases,
                     const std::vector<PhaseContact<dim>>& contacts) {
   double most = 0;
   for (std::size_t p = 0; p < phases.size(); ++p) {
+    if (!phases[p].force) continue;
     Vector<dim> sum = Vector<dim>::Zero();
     double all = 0, pressing = 0;
     for (const ContactNode<dim>& node : contacts[p].nodes) {

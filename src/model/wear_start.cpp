@@ -122,6 +122,15 @@ NodalField<dim> close_gap_of_pairs(const WornBodyEquations<dim>& equations,
   return balance.direction;
 }
 
+/// Whether a force moves the counter-body along its approach.
+template <int dim>
+bool comes_freely(const Phase<dim>& phase) {
+  const std::vector<std::optional<double>> forces = phase.forces();
+  for (std::size_t k = 0; k < forces.size(); ++k)
+    if (forces[k] && phase.counter_body.guides[k].share != 0) return true;
+  return false;
+}
+
 /// Moves body and counter-body together, or apart, until they touch at a point, so that the first
 /// matrix is not singular: moves the counter-body if it is free, otherwise the body. A counter-body
 /// that passes by in a phase leaves the body as it is. Returns the counter-body with the direction
@@ -131,7 +140,7 @@ CounterBody<dim> close_initial_gap(const WornBodyEquations<dim>& equations, std:
                                    FieldValues<dim>& values) {
   const Assembly<dim>& body = equations.assembly();
   CounterBody<dim> other = equations.phases()[phase].counter_body;
-  const bool free = equations.phases()[phase].moves_freely();
+  const bool free = comes_freely(equations.phases()[phase]);
   if (other.is_given() && !free) return other;
   const NodalField<dim>& d = values.vector(equations.fields().d);
   if (free) approach_rest(body, d, other);

@@ -37,7 +37,10 @@ Vector<dim> outward_normal(const std::vector<ContactPatch<dim>>& patches) {
 template <int dim>
 CounterBody<dim> read_partner(const Scene& scene, Section section,
                               const std::vector<ContactPatch<dim>>& patches) {
-  CounterBody<dim> other = read_counter_body<dim>(scene, section);
+  std::vector<Vector<dim>> normals;  // where friction holds what does not press
+  if (may_stick(scene) && !rolls(scene))
+    for (const auto& patch : patches) normals.push_back(patch.initial_area * patch.initial_normal);
+  CounterBody<dim> other = read_counter_body<dim>(scene, section, normals);
   const Vector<dim> outward = outward_normal(patches);
   if (outward.isZero(0)) return other;
   if (rolls(scene)) let_creep<dim>(scene, outward, other);

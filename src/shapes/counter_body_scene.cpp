@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/spectrum.hpp"
+#include "shapes/guide_order.hpp"
 
 namespace gnomon {
 
@@ -224,37 +225,12 @@ void require_determined(const Scene& scene, const CounterBody<dim>& body) {
 }
 
 template <int dim>
-void read_press(const Scene& scene, Section section, CounterBody<dim>& body) {
+void read_press(const Scene& scene, Section section, const std::vector<Vector<dim>>& normals,
+                CounterBody<dim>& body) {
   for (const std::string& press : press_tables(scene))
     body.guides.push_back(read_guide<dim>(scene, press, section));
   if (body.guides.empty()) return;
-  // Forces first, those that swing after others, then what is given, then what is held.
-  const auto rank = [&scene](const Guide<dim>& guide) {
-    return std::tuple(guide.turns()  ? 1
-                      : guide.force  ? 0
-                      : guide.travel ? 2
-                                     : 3,
-                      scene.given(guide.key + ".cycle"), -guide.force.value_or(0));
-  };
-  std::ranges::stable_sort(body.guides, {}, rank);
-  // It does not come near along a force that swings beside the one that presses it.
-  const auto presses = [&](const Guide<dim>& guide) {
-    return &guide == &body.guides.front() || !scene.given(guide.key + ".cycle");
-  };
-  Vector<dim> sum = Vector<dim>::Zero();
-  for (const Guide<dim>& guide : body.guides)
-    if (guide.force && !guide.turns() && presses(guide)) sum += *guide.force * guide.along;
-  if (sum.isZero(0) && body.guides.front().force)
-    throw InputError(scene.path().string() +
-                     ": [[counter_body.press]]: expected a direction with a force above zero");
-  for (const Guide<dim>& guide : body.guides)
-    if (guide.travel && !body.guides.front().force) sum += guide.travel->factor(0) * guide.along;
-  Guide<dim>& first = body.guides.front();
-  body.approach = first.along;
-  if (body.guides.size() > 1 && !sum.isZero(0))
-    body.come_along(sum);
-  else if (!first.is_held())
-    first.share = 1;
+  order_guides(scene, normals, body);
   const auto turns = std::ranges::count_if(body.guides, &Guide<dim>::turns);
   if (turns > 1 || (turns > 0 && body.turning))
     throw InputError(scene.path().string() +
@@ -288,13 +264,14 @@ Tensor<dim> rotation_spin(const Scene& scene, double rate, const std::string& ro
 }
 
 template <int dim>
-CounterBody<dim> read_counter_body(const Scene& scene, Section section) {
+CounterBody<dim> read_counter_body(const Scene& scene, Section section,
+                                   const std::vector<Vector<dim>>& normals) {
   const auto& kind = Registry<CounterShapeKind>::find(scene.text("counter_body.shape"), "shape");
   const Scene complete = of_shape(scene, kind, dim);
   CounterBody<dim> body;
   body.shape = maker_of<dim>(kind, scene)(complete, section);
   read_motion(complete, section, body);
-  read_press(complete, section, body);
+  read_press(complete, section, normals, body);
   return body;
 }
 
@@ -302,7 +279,7 @@ template Vector<2> rotation_center(const Scene&, const std::string&, const std::
 template Vector<3> rotation_center(const Scene&, const std::string&, const std::string&);
 template Tensor<2> rotation_spin(const Scene&, double, const std::string&, const std::string&);
 template Tensor<3> rotation_spin(const Scene&, double, const std::string&, const std::string&);
-template CounterBody<2> read_counter_body<2>(const Scene&, Section);
-template CounterBody<3> read_counter_body<3>(const Scene&, Section);
+template CounterBody<2> read_counter_body<2>(const Scene&, Section, const std::vector<Vector<2>>&);
+template CounterBody<3> read_counter_body<3>(const Scene&, Section, const std::vector<Vector<3>>&);
 
 }  // namespace gnomon

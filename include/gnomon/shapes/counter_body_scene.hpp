@@ -16,8 +16,10 @@ std::vector<Key> counter_body_keys();
 
 /// Reads a scene that has these keys. Throws InputError. `motion.reference` is
 /// the origin; set it to a point of the contact. A scene in 3D has no section.
+/// `normals`: outward, by area, of a surface along which friction holds it; empty: of none.
 template <int dim>
-CounterBody<dim> read_counter_body(const Scene& scene, Section section = Section::plane);
+CounterBody<dim> read_counter_body(const Scene& scene, Section section = Section::plane,
+                                   const std::vector<Vector<dim>>& normals = {});
 
 /// A point of the axis of a rotation that the key `rotation` gives: that of the key `center`, by
 /// default the middle of the shape. Throws InputError.

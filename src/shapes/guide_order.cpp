@@ -1,0 +1,95 @@
+#include "shapes/guide_order.hpp"
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <numeric>
+#include <tuple>
+
+namespace gnomon {
+
+namespace {
+
+template <int dim>
+using Normals = std::vector<Vector<dim>>;
+
+/// Unit; zero of a closed surface, or of none.
+template <int dim>
+Vector<dim> mean_of(const Normals<dim>& normals) {
+  const Vector<dim> sum =
+      std::accumulate(normals.begin(), normals.end(), Vector<dim>(Vector<dim>::Zero()));
+  return sum.isZero(0) ? sum : sum.normalized();
+}
+
+/// In the mean: a curved surface also faces what pushes along it.
+template <int dim>
+bool lies_along(const Vector<dim>& outward, const Guide<dim>& guide) {
+  constexpr double grazing = 0.1;
+  return !outward.isZero(0) && (guide.turns() || std::abs(outward.dot(guide.along)) < grazing);
+}
+
+template <int dim>
+bool meets_none(const Normals<dim>& normals, const Guide<dim>& guide) {
+  constexpr double rounding = 1e-9;
+  return guide.turns() || std::ranges::all_of(normals, [&](const Vector<dim>& normal) {
+           return std::abs(normal.dot(guide.along)) <= rounding * normal.norm();
+         });
+}
+
+/// Forces first, those that swing after others, then what is given, then what is held; before
+/// all that lies along the surface.
+template <int dim>
+void sort(const Scene& scene, const Vector<dim>& outward, std::vector<Guide<dim>>& guides) {
+  const auto rank = [&](const Guide<dim>& guide) {
+    return std::tuple(lies_along(outward, guide),
+                      guide.turns()  ? 1
+                      : guide.force  ? 0
+                      : guide.travel ? 2
+                                     : 3,
+                      scene.given(guide.key + ".cycle"), -guide.force.value_or(0));
+  };
+  std::ranges::stable_sort(guides, {}, rank);
+}
+
+/// It does not come near along a force that swings beside the one that presses it.
+template <int dim>
+Vector<dim> pressing_sum(const Scene& scene, const CounterBody<dim>& body) {
+  const Guide<dim>& first = body.guides.front();
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (const Guide<dim>& guide : body.guides) {
+    const bool presses = &guide == &first || !scene.given(guide.key + ".cycle");
+    if (guide.force && !guide.turns() && presses) sum += *guide.force * guide.along;
+  }
+  if (sum.isZero(0) && first.force)
+    throw InputError(scene.path().string() +
+                     ": [[counter_body.press]]: expected a direction with a force above zero");
+  for (const Guide<dim>& guide : body.guides)
+    if (guide.travel && !first.force) sum += guide.travel->factor(0) * guide.along;
+  return sum;
+}
+
+}  // namespace
+
+template <int dim>
+void order_guides(const Scene& scene, const Normals<dim>& normals, CounterBody<dim>& body) {
+  const Vector<dim> outward = mean_of<dim>(normals);
+  std::vector<Guide<dim>>& guides = body.guides;
+  sort(scene, outward, guides);
+  const auto lies = [&](const Guide<dim>& guide) { return lies_along(outward, guide); };
+  if (!outward.isZero(0) && std::ranges::all_of(guides, [&](const Guide<dim>& guide) {
+        return meets_none(normals, guide);
+      }))
+    guides.insert(guides.begin(), Guide<dim>{.along = -outward});
+  Guide<dim>& first = guides.front();
+  body.approach = first.along;
+  const bool alone = std::all_of(guides.begin() + 1, guides.end(), lies);
+  const Vector<dim> sum = alone && !lies(first) ? Vector<dim>::Zero() : pressing_sum(scene, body);
+  if (!alone && !sum.isZero(0))
+    body.come_along(sum);
+  else if (!first.is_held())
+    first.share = 1;
+}
+
+template void order_guides(const Scene&, const Normals<2>&, CounterBody<2>&);
+template void order_guides(const Scene&, const Normals<3>&, CounterBody<3>&);
+
+}  // namespace gnomon

@@ -1,0 +1,55 @@
+// Friction that may stick: what presses beside tangential forces, planes of symmetry, units.
+#include "stick/stick_scenes.hpp"
+#include "support/fretting_loop.hpp"
+
+namespace gnomon::loads_of_a_path_test {
+namespace {
+
+using namespace testing;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+constexpr const char* swinging = "cycle = \"sin(2*pi*tau)\"\n";
+
+class LoadsOfAPath : public Fretting {
+protected:
+  /// The block on its bed, pressed as `tables` say.
+  static std::string pressed(const std::string& tables) {
+    std::string text = bed("");
+    const std::string press = "press = { direction = [0.0, -1.0], force = 20.0 }\n";
+    return text.replace(text.find(press), press.size(), tables);
+  }
+  static std::string along(double force, const std::string& cycle) {
+    return fmt::format("[[counter_body.press]]\ndirection = [1.0, 0.0]\nforce = {}\n{}", force,
+                       cycle);
+  }
+  double at_start(const std::string& name, const std::string& text,
+                  const Overrides& overrides = {}) const {
+    const auto model = this->model(text, overrides);
+    Counters counters;
+    return observed(*model, model->start(counters), name);
+  }
+  void expect_friction(double force, const std::string& tables,
+                       const Overrides& overrides = {}) const {
+    EXPECT_NEAR(at_start("friction_force", pressed(tables), overrides), force, 1e-6) << tables;
+  }
+};
+
+/// A normal force that swings, an approach, an overlap, a load.
+TEST_F(LoadsOfAPath, AnythingMayPressBesideAForceAlongTheSurface) {
+  const std::string down = "[[counter_body.press]]\ndirection = [0.0, -1.0]\n";
+  expect_friction(8, along(8, "") + down + "force = 20.0\ncycle = \"1 + 0.1*sin(2*pi*tau)\"\n");
+  expect_friction(8, along(8, swinging) + down + "approach = 0.002\n");
+  expect_friction(4, along(4, swinging), {"counter_body.center=[0.0, 0.099]"});
+  const std::string load = "[[load]]\non = \"bottom\"\nforce = [0.0, 20.0]\n";
+  expect_friction(8, along(8, swinging) + load, {"support.1.directions=[\"x\"]"});
+  expect_refused(pressed(along(8, swinging)), {}, "expected something that presses the bodies");
+}
+
+TEST_F(LoadsOfAPath, AConstantForceIsWhatFrictionCarries) {
+  expect_friction(8,
+                  "[[counter_body.press]]\ndirection = [0.0, -1.0]\nforce = 20.0\n" + along(8, ""));
+}
+
+}  // namespace
+}  // namespace gnomon::loads_of_a_path_test
