@@ -51,6 +51,30 @@ Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase
   return carried_by(motion, assembly.interface.partner, phase, motion.point);
 }
 
+/// Keeps what is not across planes of symmetry, which cut the contact where supports hold nodes
+/// that touch, in a direction in which nothing moves the partner. The other half pushes back there.
+template <int dim>
+Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
+                             const std::vector<PhaseContact<dim>>& phases) {
+  Vector<dim> kept = Vector<dim>::Ones();
+  for (const PhaseContact<dim>& phase : phases)
+    for (std::size_t c = 0; c < phase.nodes.size(); ++c)
+      for (int i = 0; i < dim; ++i)
+        if (phase.nodes[c].active && assembly.supports.held(assembly.contact_nodes[c].node, i))
+          kept[i] = 0;
+  const CyclicMotion<dim>& motion = assembly.cycle->motion;
+  const auto keep_moved = [&](const Cycle& cycle) {
+    for (int i = 0; i < dim; ++i)
+      if (cycle.displacement[static_cast<std::size_t>(i)] || cycle.rotation) kept[i] = 1;
+  };
+  keep_moved(motion.cycle);
+  for (const BodyCycle<dim>& body : motion.bodies) keep_moved(body.cycle);
+  for (const Guide<dim>& guide : assembly.interface.partner.guides)
+    for (int i = 0; i < dim; ++i)
+      if (guide.turns() || (!guide.is_held() && guide.along[i] != 0)) kept[i] = 1;
+  return kept;
+}
+
 }  // namespace
 
 /// Where swinging loads alone drive the bodies, these and the mean displacement of their nodes, so
@@ -104,6 +128,7 @@ template <int dim>
 std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
     const FieldValues<dim>& values, double t, const std::vector<PhaseContact<dim>>& phases) const {
   const std::vector<char> counts = in_loop(assembly());
+  const Vector<dim> kept = kept_by_symmetry(assembly(), phases);
   const std::optional<AxisOfPath<dim>> axis = axis_of_path(assembly());
   const NodalField<dim> shape = equations_.shape_of_cells(values);
   std::vector<PlaceAndForce<dim>> result;
@@ -113,7 +138,7 @@ std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
     point.place = place_in_loop(assembly(), phase);
     for (std::size_t c = 0; c < counts.size(); ++c)
       if (counts[c]) point.contact -= assembly().copies * phases[p].nodes[c].force;
-    for (int i = 0; i < dim; ++i) point.contact[i] = sum_over_processes(point.contact[i]);
+    for (int i = 0; i < dim; ++i) point.contact[i] = kept[i] * sum_over_processes(point.contact[i]);
     point.force = point.contact;
     const PartnerMotion<> q = equations_.partner_motion(values, t, p);
     for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)

@@ -51,5 +51,35 @@ TEST_F(LoadsOfAPath, AConstantForceIsWhatFrictionCarries) {
                   "[[counter_body.press]]\ndirection = [0.0, -1.0]\nforce = 20.0\n" + along(8, ""));
 }
 
+/// The other half pushes back across the plane of symmetry, as no friction does.
+TEST_F(LoadsOfAPath, FrictionOfAHalfIsHalfOfTheWhole) {
+  folder_.write("half.geo", R"(SetFactory("OpenCASCADE");
+Box(1) = {-0.2, 0, -0.2, 0.4, 0.2, 0.2};
+Transfinite Curve {1, 2, 3, 4, 5, 6, 7, 8} = 4; Transfinite Curve {9, 10, 11, 12} = 7;
+Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
+Physical Surface("symmetry") = {3}; Physical Surface("bottom") = {5};
+Physical Surface("surface") = {6}; Physical Volume("block") = {1};
+)");
+  const std::string text = R"toml(problem = "worn_body"
+mesh.file = "half.geo"
+body = { young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }
+support = [ { on = "bottom" }, { on = "symmetry", directions = ["y"] } ]
+friction = { coefficient = 0.6, stick = true }
+wear = { on = ["surface"], coefficient = 2.9e-8 }
+time.cycles = 1000
+cycle = { period = 1.0, phases = 4 }
+[counter_body]
+shape = "ball"
+radius = 5.0
+center = [0.0, 0.0, 5.0]
+[[counter_body.press]]
+direction = [0.0, 0.0, -1.0]
+force = 25.0
+)toml" + along(5, swinging);
+  std::string in_space = text;
+  in_space.replace(in_space.find("[1.0, 0.0]"), 10, "[1.0, 0.0, 0.0]");
+  EXPECT_NEAR(at_start("friction_force", in_space), 5, 1e-6);
+}
+
 }  // namespace
 }  // namespace gnomon::loads_of_a_path_test
