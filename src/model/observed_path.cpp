@@ -78,7 +78,8 @@ Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
 }  // namespace
 
 /// Where swinging loads alone drive the bodies, these and the mean displacement of their nodes, so
-/// that the loop encloses their work; as forces on the partner where they act on the slave's part.
+/// that the loop encloses their work; as forces on the partner where the first acts on the slave's
+/// part. Loads that pull against each other add up.
 template <int dim>
 void WearModel<dim>::follow_loads(const FieldValues<dim>& values, double t,
                                   std::vector<PlaceAndForce<dim>>& loop) const {
@@ -96,18 +97,22 @@ void WearModel<dim>::follow_loads(const FieldValues<dim>& values, double t,
                                : assembly().pairs.front().slave.front()[0])];
   for (PlaceAndForce<dim>& at : loop) at.place.setZero(), at.force.setZero();
   double whole = 0;
+  Vector<dim> along = Vector<dim>::Zero();  // of the first, by which the others are turned
   for (const Load<dim>& load : assembly().swinging_loads) {
     const NodalField<dim> forces = forces_of<dim>(load, assembly());
-    Eigen::VectorXd sizes = forces.rowwise().norm();
+    const Eigen::VectorXd sizes = forces.rowwise().norm();
+    const Vector<dim> sum = forces.colwise().sum().transpose();
+    double on_slave = 0;
     for (Eigen::Index node = 0; node < sizes.size(); ++node)
-      if (parts[static_cast<std::size_t>(node)] == slave) sizes[node] *= -1;
-    whole += forces.rowwise().norm().sum();
-    const double sign = sizes.sum() < 0 ? -1 : 1;
+      if (parts[static_cast<std::size_t>(node)] == slave) on_slave += sizes[node];
+    const double turned = along.dot(sum);
+    const double sign = turned < 0 || (turned == 0 && on_slave > sizes.sum() / 2) ? -1 : 1;
+    if (along.isZero(0)) along = sign * sum;
+    whole += sizes.sum();
     for (std::size_t p = 0; p < loop.size(); ++p) {
       loop[p].force += assembly().copies * sign * load.history.factor(t) *
-                       equations_.phases()[p].load_factor(load.swing) *
-                       forces.colwise().sum().transpose();
-      loop[p].place += values.vector(equations_.fields(p).u).transpose() * sizes;
+                       equations_.phases()[p].load_factor(load.swing) * sum;
+      loop[p].place += sign * values.vector(equations_.fields(p).u).transpose() * sizes;
     }
   }
   for (PlaceAndForce<dim>& at : loop) at.place /= whole;

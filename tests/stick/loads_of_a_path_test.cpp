@@ -81,5 +81,50 @@ force = 25.0
   EXPECT_NEAR(at_start("friction_force", in_space), 5, 1e-6);
 }
 
+/// A strip is stretched to and fro under a plane on its middle; its half has a plane of symmetry.
+TEST_F(LoadsOfAPath, LoadsThatPullAgainstEachOtherHaveTheLoopOfBothHalves) {
+  const auto loop_of = [this](double left, const std::string& name, const std::string& end) {
+    folder_.write(name, fmt::format(R"(SetFactory("OpenCASCADE");
+Rectangle(1) = {{{}, 0, 0, {}, 1}};
+Transfinite Curve {{1, 3}} = {}; Transfinite Curve {{2, 4}} = 4;
+Transfinite Surface "*"; Recombine Surface "*";
+Physical Curve("bottom") = {{1}}; Physical Curve("right") = {{2}};
+Physical Curve("surface") = {{3}}; Physical Curve("left") = {{4}}; Physical Surface("strip") = {{1}};
+)",
+                                    left, 1 - left, left < 0 ? 13 : 7));
+    const auto model = this->model(fmt::format(R"(problem = "worn_body"
+mesh.file = "{}"
+body = {{ young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }}
+friction = {{ coefficient = 0.5, stick = true }}
+wear = {{ on = ["surface"], coefficient = 1e-8 }}
+time.cycles = 1000
+cycle = {{ period = 1.0, phases = 8 }}
+counter_body = {{ shape = "plane", center = [0.0, 1.0], normal = [0.0, -1.0], press = {{ direction = [0.0, -1.0], force = {} }} }}
+[[support]]
+on = "bottom"
+directions = ["y"]
+[[load]]
+on = "right"
+traction = [80.0, 0.0]
+{}{}
+)",
+                                               name, left < 0 ? 20 : 10, swinging, end));
+    Counters counters;
+    const State start = model->start(counters);
+    return std::array{observed(*model, start, "stroke"), observed(*model, start, "friction_force"),
+                      enclosed_by_loop(model->contact(start).value())};
+  };
+  const std::string weak = "[[support]]\non = \"bottom\"\ndirections = [\"x\"]\nstiffness = 1e-3\n";
+  const auto half = loop_of(0, "half.geo", "[[support]]\non = \"left\"\ndirections = [\"x\"]\n");
+  const auto whole = loop_of(
+      -1, "whole.geo",
+      fmt::format("[[load]]\non = \"left\"\ntraction = [-80.0, 0.0]\n{}{}", swinging, weak));
+  EXPECT_GT(half[0], 1e-4);
+  EXPECT_NEAR(whole[0] / half[0], 1, 1e-4);
+  EXPECT_EQ(half[1], 0);
+  EXPECT_NEAR(whole[1], 0, 1e-6);
+  EXPECT_NEAR(whole[2] / half[2], 2, 1e-3);
+}
+
 }  // namespace
 }  // namespace gnomon::loads_of_a_path_test
