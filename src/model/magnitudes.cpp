@@ -56,6 +56,15 @@ double depth_of_tracks(double rate, const Pressing& press, const Indentation& st
   return std::min({section / width, gaps.depth_of(section * width), most});
 }
 
+/// About how far a line load moves bodies that are large beside its width: more than the contact
+/// alone, by a logarithm (K. L. Johnson, Contact Mechanics, sec. 5.6) [length].
+template <int dim>
+double sinking_of_line(const AssemblyParts<dim>& parts, const Indentation& at, double modulus) {
+  const auto [low, high] = Box<dim>::around(parts.mesh.nodes);
+  const double size = (high - low).dot(parts.interface.partner.approach.cwiseAbs());
+  return at.force / modulus * std::log(std::max(1.0, 4 * size / at.area));
+}
+
 /// The smallest of the bodies that wear, along the approach [length].
 template <int dim>
 double size_of_wearing(const AssemblyParts<dim>& parts) {
@@ -154,7 +163,7 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
   scales.duration = duration;
   scales.force = start.force;
   scales.displacement =
-      std::max(start.depth, start.force / (modulus * width_of(start.area, solid)));
+      solid ? start.depth : std::max(start.depth, sinking_of_line(parts, start, modulus));
   const auto circumstances = [&](const Surface<dim>& surface) {
     return WearCircumstances{.pressure = start.force / start.area,
                              .friction = parts.interface.friction,

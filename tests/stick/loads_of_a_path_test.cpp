@@ -81,6 +81,25 @@ force = 25.0
   EXPECT_NEAR(at_start("friction_force", in_space), 5, 1e-6);
 }
 
+/// The same scene a thousand times smaller; forces are by thickness.
+TEST_F(LoadsOfAPath, ExpectedDepthsScaleWithTheBody) {
+  std::string small = half_plane(4, 4, 3);
+  small.replace(small.find("b = 0.045; w = 2;"), 17, "b = 45e-6; w = 2e-3;");
+  folder_.write("small.geo", small);
+  const auto expected = [this](const Overrides& overrides) {
+    const auto model = this->model(cylinder(), overrides);
+    for (const std::string& proposal : model->proposals)
+      if (const auto at = proposal.find("a depth of"); at != std::string::npos)
+        return proposal.substr(at);
+    return std::string("none");
+  };
+  const std::string depth = expected({"mesh.file=coarse.geo"});
+  EXPECT_THAT(depth, HasSubstr("of the body's size"));
+  EXPECT_EQ(depth, expected({"mesh.file=small.geo", "counter_body.radius=6e-3",
+                             "counter_body.center=[0.0, 6e-3]", "counter_body.press.1.force=0.0185",
+                             "counter_body.press.2.force=0.00666"}));
+}
+
 /// A strip is stretched to and fro under a plane on its middle; its half has a plane of symmetry.
 TEST_F(LoadsOfAPath, LoadsThatPullAgainstEachOtherHaveTheLoopOfBothHalves) {
   const auto loop_of = [this](double left, const std::string& name, const std::string& end) {
