@@ -48,9 +48,9 @@ StickingTraction<dim>::StickingTraction(const StickingParameters& parameters,
                             kept = moved - at.dropped.template cast<Scalar>() *
                                                at.dropped.template cast<Scalar>().dot(moved),
                             along = kept - n * n.dot(kept);
-  const StickFriction<dim, Scalar> friction(lambda_T, along, n,
-                                            closed ? Scalar(-coefficient * lambda) : Scalar(0),
-                                            parameters.rho, closed && parameters.rubs, given);
+  const StickFriction<dim, Scalar> friction(
+      lambda_T, along, n, closed ? Scalar(-coefficient * lambda) : Scalar(0), parameters.rho,
+      closed && parameters.rubs && parameters.friction > 0, given);
   const Vector<dim, Scalar> back =
       at.turn[0].transpose().template cast<Scalar>() * friction.constraint;
   const Scalar square = along.squaredNorm();

@@ -100,6 +100,16 @@ TEST_F(LoadsOfAPath, ExpectedDepthsScaleWithTheBody) {
                              "counter_body.press.2.force=0.00666"}));
 }
 
+TEST_F(LoadsOfAPath, FrictionMayVanish) {
+  const std::string drive = bed();
+  const auto force = [&](const std::string& factor) {
+    return at_start("friction_force", drive, {"friction.factor=\"" + factor + "\""});
+  };
+  EXPECT_NEAR(force("min(1, t/500)"), 0, 1e-9);
+  EXPECT_NEAR(force("if(x0 < 0.4, 0, 1)"), 0.5 * 20 * 0.625,
+              0.4);  // three nodes in five; the block tilts
+}
+
 /// A strip is stretched to and fro under a plane on its middle; its half has a plane of symmetry.
 TEST_F(LoadsOfAPath, LoadsThatPullAgainstEachOtherHaveTheLoopOfBothHalves) {
   const auto loop_of = [this](double left, const std::string& name, const std::string& end) {

@@ -149,7 +149,7 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   const Scalar coefficient = friction_at(parameters, patch, at.contact);
   const StickFriction<dim, Scalar> friction(
       at.traction, slip, met.normal, Scalar(-coefficient * met.contact.traction), parameters.rho,
-      met.contact.active && at.rubs, branch.sticks);
+      met.contact.active && at.rubs && plain(coefficient) > 0, branch.sticks);
   constraint = friction.constraint;
   switching = {plain(Scalar(at.contact.lambda + Scalar(of.rho) * met.gap)), friction.excess};
 
