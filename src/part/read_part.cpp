@@ -144,6 +144,10 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
     parts.interface.memory_follows = memory_follows(scene);
     if (std::string remark = remark_on_friction(parts, scene.real("time.end")); !remark.empty())
       parts.remarks.push_back(std::move(remark));
+    if (parts.pairs.size() > 1)
+      parts.remarks.push_back(
+          "stroke, friction_force and the loop are those of the first [[pair]]; friction_work, "
+          "slip_path and stick_area are of all");
     if (std::string history = history_that_matters(parts); !history.empty())
       parts.proposals.push_back(std::move(history));
     AssemblyParts<dim> slow = parts;

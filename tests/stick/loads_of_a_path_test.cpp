@@ -155,5 +155,40 @@ traction = [80.0, 0.0]
   EXPECT_NEAR(whole[2] / half[2], 2, 1e-3);
 }
 
+TEST_F(LoadsOfAPath, OfSeveralPairsARemarkSaysWhoseForceItIs) {
+  folder_.write("pads.geo", R"(SetFactory("OpenCASCADE");
+Rectangle(1) = {0, -1, 0, 3, 1}; Rectangle(2) = {0, 0, 0, 1, 0.5}; Rectangle(3) = {2, 0, 0, 1, 0.5};
+Transfinite Curve {1, 3} = 7; Transfinite Curve {2, 4} = 3;
+Transfinite Curve {5, 7, 9, 11} = 4; Transfinite Curve {6, 8, 10, 12} = 2;
+Transfinite Surface "*"; Recombine Surface "*";
+Physical Curve("bottom") = {1}; Physical Curve("face") = {3};
+Physical Curve("feet1") = {5}; Physical Curve("feet2") = {9};
+Physical Curve("top1") = {7}; Physical Curve("top2") = {11};
+Physical Curve("sides") = {6, 8, 10, 12};
+Physical Surface("flat") = {1}; Physical Surface("pad1") = {2}; Physical Surface("pad2") = {3};
+)");
+  std::string text = R"toml(problem = "worn_body"
+mesh.file = "pads.geo"
+friction = { coefficient = 0.5, stick = true }
+wear = { on = ["face", "feet1", "feet2"], coefficient = 1e-8 }
+time.cycles = 100
+cycle = { period = 1.0, phases = 4 }
+support = [ { on = "bottom" }, { on = "sides", directions = ["x"] } ]
+motion = [ { body = "flat", cycle = { x = "1e-2 * sin(2*pi*tau)" } } ]
+)toml";
+  for (const char* name : {"flat", "pad1", "pad2"})
+    text += fmt::format(
+        "[[body]]\nname = \"{}\"\nyoung_modulus = 1e5\npoisson_ratio = 0.3\nmaterial = "
+        "\"linear\"\n",
+        name);
+  for (const int pad : {1, 2})
+    text += fmt::format(
+        "[[pair]]\nbodies = [\"pad{0}\", \"flat\"]\nsurfaces = [\"feet{0}\", \"face\"]\n"
+        "[[load]]\non = \"top{0}\"\nforce = [0.0, -20.0]\n",
+        pad);
+  EXPECT_THAT(model(text)->remarks, Contains(HasSubstr("are those of the first [[pair]]")));
+  EXPECT_EQ(at_start("friction_work", text, {"friction.factor=\"0*t\""}), 0);
+}
+
 }  // namespace
 }  // namespace gnomon::loads_of_a_path_test
