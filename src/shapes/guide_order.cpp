@@ -50,19 +50,22 @@ void sort(const Scene& scene, const Vector<dim>& outward, std::vector<Guide<dim>
   std::ranges::stable_sort(guides, {}, rank);
 }
 
-/// It does not come near along a force that swings beside the one that presses it.
+/// It does not come near along a force that swings, or lies along the surface, beside the one that
+/// presses it.
 template <int dim>
-Vector<dim> pressing_sum(const Scene& scene, const CounterBody<dim>& body) {
-  const Guide<dim>& first = body.guides.front();
+Vector<dim> pressing_sum(const Scene& scene, const Vector<dim>& outward,
+                         const std::vector<Guide<dim>>& guides) {
+  const Guide<dim>& first = guides.front();
   Vector<dim> sum = Vector<dim>::Zero();
-  for (const Guide<dim>& guide : body.guides) {
-    const bool presses = &guide == &first || !scene.given(guide.key + ".cycle");
-    if (guide.force && !guide.turns() && presses) sum += *guide.force * guide.along;
+  for (const Guide<dim>& guide : guides) {
+    const bool beside = scene.given(guide.key + ".cycle") || lies_along(outward, guide);
+    if (guide.force && !guide.turns() && (&guide == &first || !beside))
+      sum += *guide.force * guide.along;
   }
   if (sum.isZero(0) && first.force)
     throw InputError(scene.path().string() +
                      ": [[counter_body.press]]: expected a direction with a force above zero");
-  for (const Guide<dim>& guide : body.guides)
+  for (const Guide<dim>& guide : guides)
     if (guide.travel && !first.force) sum += guide.travel->factor(0) * guide.along;
   return sum;
 }
@@ -81,8 +84,12 @@ void order_guides(const Scene& scene, const Normals<dim>& normals, CounterBody<d
     guides.insert(guides.begin(), Guide<dim>{.along = -outward});
   Guide<dim>& first = guides.front();
   body.approach = first.along;
-  const bool alone = std::all_of(guides.begin() + 1, guides.end(), lies);
-  const Vector<dim> sum = alone && !lies(first) ? Vector<dim>::Zero() : pressing_sum(scene, body);
+  // Beside an approach a force, which would move the counter-body freely, lies along the surface.
+  const bool alone = std::all_of(guides.begin() + 1, guides.end(), lies) ||
+                     (!first.force && std::ranges::any_of(guides, [](const Guide<dim>& guide) {
+                       return guide.force && !guide.turns();
+                     }));
+  const Vector<dim> sum = pressing_sum(scene, outward, guides);
   if (!alone && !sum.isZero(0))
     body.come_along(sum);
   else if (!first.is_held())
