@@ -56,13 +56,12 @@ double depth_of_tracks(double rate, const Pressing& press, const Indentation& st
   return std::min({section / width, gaps.depth_of(section * width), most});
 }
 
-/// About how far a line load moves bodies that are large beside its width: more than the contact
-/// alone, by a logarithm (K. L. Johnson, Contact Mechanics, sec. 5.6) [length].
+/// About how far a line load moves bodies that are large beside its width, at most: more than the
+/// contact alone, by a logarithm (K. L. Johnson, Contact Mechanics, sec. 5.6) [length].
 template <int dim>
 double sinking_of_line(const AssemblyParts<dim>& parts, const Indentation& at, double modulus) {
   const auto [low, high] = Box<dim>::around(parts.mesh.nodes);
-  const double size = (high - low).dot(parts.interface.partner.approach.cwiseAbs());
-  return at.force / modulus * std::log(std::max(1.0, 4 * size / at.area));
+  return 2 * at.force / modulus * std::log(std::max(1.0, 4 * (high - low).norm() / at.area));
 }
 
 /// The smallest of the bodies that wear, along the approach [length].

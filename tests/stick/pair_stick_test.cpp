@@ -435,13 +435,12 @@ TEST_F(PairFretting, WhatDoesNotGoTogetherIsRefused) {
   std::string across = similar();
   across.replace(across.find("cycle = {"), 9, "velocity = [0.0, 0.0, 1.0], cycle = {");
   expect_refused(across, {}, "a steady motion does not stick");
-  expect_refused(similar("x = \"5e-4 * sin(2*pi*tau)\""), {"pair.1.stick=false"},
-                 "friction.stick = true follows");
+  expect_refused(similar(), {"pair.1.stick=false"}, "friction.stick = true follows");
 }
 
 TEST_F(PairFretting, JacobianEqualsFiniteDifferences) {
   const auto model =
-      this->model(similar(), {"mesh.file=coarse_two.geo", "cycle.phases=3", "time.cycles=1e4",
+      this->model(similar(), {"mesh.file=coarse_two.geo", "cycle.phases=3", "time.cycles=1e5",
                               "wear.coefficient=2.9e-7", "friction.factor=\"1+h/1e-4+0.1*x0\""});
   const auto [y, branch] = near_the_start(*model);
   check_jacobian(model->system(), 0, y, 0.2, &branch, 3e-5);
