@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
+#include <map>
 
 #include "mesh/crossing.hpp"
 #include "mesh/facet_bins.hpp"
@@ -58,6 +58,7 @@ namespace {
 template <int dim>
 Vector<dim> free_part(const AssemblyParts<dim>& parts, const std::vector<int>& part, int own,
                       Vector<dim> e) {
+  if (parts.section() == Section::meridian) e[0] = 0;  // a ring has no other rigid motion
   for (std::size_t node = 0; node < part.size(); ++node)
     for (int i = 0; i < dim && part[node] == own; ++i)
       if (parts.supports.held(static_cast<Eigen::Index>(node), i)) e[i] = 0;
@@ -87,9 +88,10 @@ template <int dim>
 Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyPlace<dim>>& places)
     : displacement(NodalField<dim>::Zero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim)),
       direction(displacement) {
-  constexpr double slanted = 0.5;  // cosine
+  // Cosine; cones of revolution slide into each other however steep they are.
+  const double slanted = parts.section() == Section::meridian ? 0.05 : 0.5;
   const std::vector<int> part = connected_parts(parts.mesh);
-  std::set<int> placed;
+  std::map<int, Vector<dim>> pressed;  // of parts that have come: how, in space
   std::vector<Vector<dim>> x = in_space(parts.pairs, places, parts.mesh.nodes);
   for (bool moved = true; moved;) {
     moved = false;
@@ -104,7 +106,7 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
         along[side] = free_part<dim>(parts, part, numbers[side], side == 0 ? Vector<dim>(-e) : e);
       }
       const auto stays = [&](std::size_t side) {
-        return placed.contains(numbers[side]) || along[side].norm() < slanted;
+        return pressed.contains(numbers[side]) || along[side].norm() < slanted;
       };
       if (stays(0) == stays(1)) continue;
       const std::size_t side = stays(0);
@@ -113,13 +115,17 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
       const double travel =
           travel_to_touch<dim>(pair, side == 0 ? Vector<dim>(-in_space) : in_space, x);
       if (!std::isfinite(travel)) continue;
-      placed.insert(numbers[side]);
+      // Farther than what it rests on: both would go the same way without pressing on each other.
+      const auto rest = pressed.find(numbers[1 - side]);
+      const double far =
+          1 + (rest == pressed.end() ? 0.0 : std::max(0.0, rest->second.dot(in_space)));
+      pressed.emplace(numbers[side], far * in_space);
       for (std::size_t node = 0; node < part.size(); ++node) {
         if (part[node] != numbers[side]) continue;
         x[node] += travel * in_space;
         const auto row = static_cast<Eigen::Index>(node);
         displacement.row(row) = travel * along[side].transpose();
-        direction.row(row) = along[side].transpose();
+        direction.row(row) = far * along[side].transpose();
       }
       moved = true;
     }
