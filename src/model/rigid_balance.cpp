@@ -63,17 +63,28 @@ public:
     return poses_[part] * foundation_.place(node);
   }
   const std::vector<RigidPart<dim>>& rigid() const { return rigid_; }
-  /// How the loads at the start press the nodes of a part further, the fastest with 1.
-  NodalField<dim> pressing(std::size_t k) const {
-    const Twist<dim> twist = twists(along_free(foundation_.loads(poses_, {})))[k];
-    const RigidPart<dim>& part = rigid_[k];
-    NodalField<dim> result = NodalField<dim>::Zero(std::ssize(part.nodes), dim);
-    Eigen::Index row = 0;
-    for (const int node : part.nodes)
-      result.row(row++) =
-          (rigid_velocities<dim>(place(k, node), part.centre, part.size) * twist).transpose();
-    const double fastest = std::sqrt(result.rowwise().squaredNorm().maxCoeff());
-    return fastest > 0 ? NodalField<dim>(result / fastest) : result;
+  /// How the loads at the start press all parts further into their foundations, the fastest node
+  /// with 1: what another body presses goes along.
+  std::vector<NodalField<dim>> pressing() {
+    const Eigen::VectorXd loads = along_free(foundation_.loads(poses_, {}));
+    const FoundationLaw law{stiffness_, smoothing * depth_};
+    Eigen::VectorXd by =
+        stiffness(resultant(law, {}), law, far * depth_, {}).partialPivLu().solve(loads);
+    if (!by.allFinite()) by = loads;
+    const std::vector<Twist<dim>> twist = twists(by);
+    std::vector<NodalField<dim>> result;
+    double fastest = 0;
+    for (std::size_t k = 0; k < rigid_.size(); ++k) {
+      const RigidPart<dim>& part = rigid_[k];
+      result.push_back(NodalField<dim>::Zero(std::ssize(part.nodes), dim));
+      for (Eigen::Index n = 0; n < result[k].rows(); ++n)
+        result[k].row(n) =
+            rigid_velocities<dim>(place(k, part.nodes[std::size_t(n)]), part.centre, part.size) *
+            twist[k];
+      fastest = std::max(fastest, result[k].rowwise().norm().maxCoeff());
+    }
+    for (NodalField<dim>& each : result) each /= fastest > 0 ? fastest : 1;
+    return result;
   }
 
   /// Whether bodies without loads stay in each other, as a ring that was pressed on a shaft.
@@ -94,6 +105,7 @@ public:
     constexpr int most_changes = 8;
     constexpr double stiffer = 10, change = 4;  // pressures are uneven; deep edges fall over
     stiffness_ = stiffer * pressure / depth;
+    depth_ = depth;
     if (!rest(depth, at, load(at))) return false;
     for (int k = 0; k < most_changes; ++k) {
       const double ratio = foundation_.deepest() / depth;
@@ -117,8 +129,6 @@ public:
     std::string motion;
   };
   Softest softest_motion(double depth) {
-    constexpr double far =
-        0.5;  // of the depth, so that facets at the edges do not count one by one
     const FoundationLaw law{stiffness_, smoothing * depth};
     const Eigen::MatrixXd K = stiffness(resultant(law, {}), law, far * depth, {});
     const Eigen::EigenSolver<Eigen::MatrixXd> modes(K);  // friction: it is not symmetric
@@ -131,7 +141,8 @@ public:
   std::string last_motion() const { return described(last_); }
 
 private:
-  static constexpr double smoothing = 0.25;  // of the depth
+  // Of the depth. Facets at the edges do not count one by one where bodies are moved so far.
+  static constexpr double smoothing = 0.25, far = 0.5;
 
   Eigen::VectorXd along_free(const std::vector<Twist<dim>>& forces) const {
     Eigen::VectorXd result(unknowns_);
@@ -241,7 +252,7 @@ private:
   std::vector<Pose<dim>> poses_;
   Eigen::Index unknowns_ = 0;
   std::vector<Twist<dim>> last_;
-  double size_ = 0, stiffness_ = 1;
+  double size_ = 0, stiffness_ = 1, depth_ = 1;
 };
 
 }  // namespace
@@ -321,9 +332,9 @@ RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
   if (!doubt.empty()) return;
   const std::vector<RigidPart<dim>>& rigid = settling.rigid();
   settled = true;
+  const std::vector<NodalField<dim>> pressing = settling.pressing();
   for (std::size_t k = 0; k < rigid.size(); ++k) {
     if (rigid[k].loose.cols() == 0) continue;
-    const NodalField<dim> pressing = settling.pressing(k);
     for (std::size_t n = 0; n < rigid[k].nodes.size(); ++n) {
       const int node = rigid[k].nodes[n];
       const Vector<dim> moved = settling.place(k, node);
@@ -331,7 +342,7 @@ RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
         if (!parts.supports.held(node, i)) {
           x[node][i] = moved[i];
           displacement(node, i) = moved[i] - parts.mesh.nodes[node][i];
-          direction(node, i) = pressing(static_cast<Eigen::Index>(n), i);
+          direction(node, i) = pressing[k](static_cast<Eigen::Index>(n), i);
         }
     }
   }

@@ -113,5 +113,30 @@ time.end = 10.0
               2000 / std::sin(20 * degree), 10);
 }
 
+// A wedge that is held along x, under a block whose top only may turn.
+TEST_F(Stacked, AWedgeCarriesABlock) {
+  const double slope = std::tan(15 * degree);
+  folder_.write(
+      "wedge.geo",
+      quadrilateral(1, "base", {{{-20, -6}, {20, -6}, {20, 0}, {-20, 0}}}, 30, 6) +
+          quadrilateral(11, "wedge", {{{-8, 0}, {8, 0}, {8, 4 - 8 * slope}, {-8, 4 + 8 * slope}}},
+                        20, 6) +
+          quadrilateral(21, "top", {{{-5, 4 + 5 * slope}, {5, 4 - 5 * slope}, {5, 12}, {-5, 12}}},
+                        15, 8));
+  EXPECT_NEAR(contact_force(fmt::format(R"(
+problem = "worn_body"
+mesh.file = "wedge.geo"
+body = [ {}, {}, {} ]
+pair = [ {{ bodies = ["base", "wedge"] }}, {{ bodies = ["wedge", "top"] }} ]
+support = [ {{ on = "base below" }}, {{ on = "top above", directions = ["x"] }}, {{ on = "wedge left", directions = ["x"] }} ]
+load = [ {{ on = "top above", force = [0.0, -100.0] }} ]
+motion = [ {{ body = "wedge", velocity = [0.0, 0.0, 100.0] }} ]
+wear = {{ on = ["base above", "wedge below", "wedge above", "top below"], coefficient = 1e-7 }}
+time.end = 10.0
+)",
+                                        body("base"), body("wedge"), body("top"))),
+              100 + 100 / std::cos(15 * degree), 0.05);
+}
+
 }  // namespace
 }  // namespace gnomon::stacked_test
