@@ -210,7 +210,7 @@ private:
     constexpr double at_rest = 5e-3, largest_step = 0.05, farthest = 4, described_path = 0.3;
     const FoundationLaw law{stiffness_, smoothing * depth};
     double time = 1, path = 0;  // time: in that of a path of one depth under the whole load
-    Eigen::VectorXd R = resultant(law, at);
+    Eigen::VectorXd R = resultant(law, at), before = 0 * R;  // the last step
     for (int step = 0; step < most_steps && path < farthest * size_; ++step) {
       if (R.norm() <= at_rest * force) return true;
       Eigen::MatrixXd K = stiffness(R, law, 1e-3 * depth, at);
@@ -222,14 +222,17 @@ private:
       const std::vector<Pose<dim>> here = poses_;
       move(by);
       const Eigen::VectorXd next = resultant(law, at);
-      // A step that Newton's method has made longer than contact follows; slow motions go on.
+      // Steps that Newton's method has made longer than contact follows; slow motions go on.
       const bool through_a_stop = next.dot(R) < 0 && next.norm() > 0.5 * R.norm() && time > 1e-3,
-                 too_far = next.norm() > 1.5 * R.norm() && time > 1;
-      if (through_a_stop || too_far) {
+                 too_far = next.norm() > 1.5 * R.norm() && time > 1,
+                 to_and_fro = by.dot(before) < -0.5 * by.norm() * before.norm() &&
+                              next.norm() > 0.5 * R.norm() && time > 1;
+      if (through_a_stop || too_far || to_and_fro) {
         poses_ = here;
         time /= 8;
         continue;
       }
+      before = by;
       time *= next.norm() < R.norm() ? 4 : 1.5;
       path += by.norm();
       turn_directions();

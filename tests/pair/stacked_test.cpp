@@ -138,5 +138,42 @@ time.end = 10.0
               100 + 100 / std::cos(15 * degree), 0.05);
 }
 
+/// A block on an inclined plane, whose top only may turn.
+std::string on_slope(const char* material) {
+  return fmt::format(R"(
+problem = "worn_body"
+mesh.file = "slope.geo"
+body = [ {{ name = "low", young_modulus = 1e5, poisson_ratio = 0.3, material = "{0}" }},
+         {{ name = "up", young_modulus = 1e5, poisson_ratio = 0.3, material = "{0}" }} ]
+pair = [ {{ bodies = ["low", "up"] }} ]
+support = [ {{ on = "low below" }}, {{ on = "up above", directions = ["x"] }} ]
+motion = [ {{ body = "low", velocity = [0.0, 0.0, 0.1] }} ]
+wear = {{ on = ["low above", "up below"], coefficient = 0.0 }}
+time.end = 10.0
+)",
+                     material);
+}
+
+/// `unit`: as a part of mm.
+std::string slope(double angle, double unit) {
+  const double rise = std::tan(angle * degree) * unit, u = unit;
+  return quadrilateral(
+             1, "low",
+             {{{-12 * u, -6 * u}, {12 * u, -6 * u}, {12 * u, -12 * rise}, {-12 * u, 12 * rise}}},
+             24, 6) +
+         quadrilateral(11, "up",
+                       {{{-5 * u, 5 * rise}, {5 * u, -5 * rise}, {5 * u, 8 * u}, {-5 * u, 8 * u}}},
+                       15, 6);
+}
+
+// The force passes the middle of the contact by half of its half length.
+TEST_F(Stacked, ABlockLiesOnASlope) {
+  folder_.write("slope.geo", slope(20, 1));
+  EXPECT_NEAR(contact_force(on_slope("linear") + R"(
+load = [ { on = "up above", force = [0.0, -100.0] }, { on = "up above", moment = 0.0 } ]
+)"),
+              100 / std::cos(20 * degree), 0.01);
+}
+
 }  // namespace
 }  // namespace gnomon::stacked_test
