@@ -251,7 +251,7 @@ TEST_F(PairBalance, AFailureNamesTheBodyAndThePhase) {
   for (const auto& [scene, message] :
        {std::pair<std::string, std::string>{shoe_scene, " of \"shoe\" at ("},
         {shoe_scene + cycle, "at the start, at tau = 0 of the cycle, is more than these bodies"}}) {
-    const auto model = this->model(scene, {"body.shoe.young_modulus=1.0"});
+    const auto model = this->model(scene, {"body.shoe.young_modulus=2.0"});
     EXPECT_THAT([&] { model->start(counters); },
                 ::testing::ThrowsMessage<SolutionError>(HasSubstr(message)));
   }

@@ -175,5 +175,21 @@ load = [ { on = "up above", force = [0.0, -100.0] }, { on = "up above", moment =
               100 / std::cos(20 * degree), 0.01);
 }
 
+// In metres as in millimetres, with the same pressures.
+TEST_F(Stacked, TheUnitOfLengthDoesNotMatter) {
+  std::vector<long> iterations;
+  for (const double unit : {1.0, 0x1p-10}) {
+    folder_.write("slope.geo", slope(10, unit));
+    const auto model = this->model(
+        on_slope("neo-hookean") +
+        fmt::format("load = [ {{ on = \"up above\", force = [0.0, {}] }} ]", -100 * unit));
+    Counters counters;
+    EXPECT_NEAR(observed(*model, model->start(counters), "contact_force") / unit,
+                100 / std::cos(10 * degree), 0.2);
+    iterations.push_back(counters.newton_iterations);
+  }
+  EXPECT_EQ(iterations[0], iterations[1]);
+}
+
 }  // namespace
 }  // namespace gnomon::stacked_test
