@@ -52,10 +52,11 @@ struct Branches {
 };
 
 /// F on the second branch less F on the first.
-std::vector<double> difference(const System& system, const State& at, const Branches& branches) {
+std::vector<double> difference(const System& system, const State& at, double within,
+                               const Branches& branches) {
   std::vector<double> first(at.y.size()), second(at.y.size());
-  system.residual({at.t, at.y, at.ydot, &branches.at_start}, first);
-  system.residual({at.t, at.y, at.ydot, &branches.at_end}, second);
+  system.residual({at.t, at.y, at.ydot, &branches.at_start, within}, first);
+  system.residual({at.t, at.y, at.ydot, &branches.at_end, within}, second);
   for (std::size_t i = 0; i < first.size(); ++i) second[i] -= first[i];
   return second;
 }
@@ -114,11 +115,13 @@ CrossedJumps jumps_between(const System& system, const State& from, const State&
   return found;
 }
 
-double common_jump(const System& system, const State& from, const State& to) {
-  const Branches branches =
+double common_jump(const System& system, const State& from, const State& to, std::size_t function) {
+  Branches branches =
       branches_of(system, switching_values(system, from), switching_values(system, to));
-  const std::vector<double> at_start = difference(system, from, branches),
-                            at_end = difference(system, to, branches);
+  branches.at_start = branches.at_end;
+  branches.at_start[function] = !branches.at_end[function];
+  const std::vector<double> at_start = difference(system, from, from.t, branches),
+                            at_end = difference(system, to, from.t, branches);
   double largest = 0;
   for (std::size_t i = 0; i < at_start.size(); ++i)
     if (system.structure().differential[i] && at_start[i] * at_end[i] > 0)

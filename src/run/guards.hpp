@@ -1,8 +1,7 @@
 // What ends a run whose numbers would be worthless, or which would not end: fixed steps that
 // amplify the fastest mode, or hardly damp it; chattering, contact nodes that open and close again
 // and again, as in steps above the critical one; a lack of progress, where every step succeeds,
-// but needs ever more work for ever less time; nodes that slide along a jump of a wear law; and
-// elements that are nearly worn away, or folded.
+// but needs ever more work for ever less time; and elements that are nearly worn away, or folded.
 #pragma once
 
 #include <gnomon/base/counters.hpp>
@@ -78,30 +77,6 @@ public:
 private:
   std::vector<char> active_;
   std::vector<int> losses_;  // losses of contact, one entry per node
-};
-
-/// Follows the switching functions at which rates may jump (Structure::switch_jumps): what fixed
-/// steps cost that pass over jumps, and nodes that slide along one, because the rates on either
-/// side drive them back to it. Between such rates there is no solution.
-class JumpLedger {
-public:
-  JumpLedger(const System& system, const IntegratorSettings& settings);
-  /// Of an accepted step. Throws SolutionError where a node slides.
-  void add(const State& before, const State& after);
-  /// For the user, at the end of a run in fixed steps; empty: nothing of importance.
-  std::string warning(const State& last) const;
-  /// For the user, where no step from a state succeeds: that a node is at a jump. Else empty.
-  std::string suspicion(const State& last) const;
-
-private:
-  bool is_jump(const State& before, const State& after) const;
-
-  const System& system_;
-  bool passes_over_;                // steps that do not follow jumps
-  std::vector<std::size_t> jumps_;  // the switching functions
-  std::vector<double> error_;       // of each unknown, at most
-  std::vector<int> turns_;          // of each of `jumps_`: crossings that have followed each other
-  double largest_ = 0;              // of their values so far
 };
 
 /// Throws SolutionError for a state with an element that is folded (element_quality not positive)

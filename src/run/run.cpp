@@ -11,6 +11,7 @@
 #include <set>
 
 #include "run/guards.hpp"
+#include "run/jump_ledger.hpp"
 #include "run/memory.hpp"
 #include "run/store_schedule.hpp"
 

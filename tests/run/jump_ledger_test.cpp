@@ -66,9 +66,14 @@ TEST(CommonJump, IsThatOfAJumpAndNoneOfAKink) {
     const auto model =
         model_of("winkler/pin.toml", {"foundation.points=41", "wear.rate=\"" + rate + "\""});
     const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, end);
-    EXPECT_FALSE(
-        jumps_between(model->system(), run.states.front(), run.last(), false).functions.empty());
-    return common_jump(model->system(), run.states.front(), run.last());
+    const CrossedJumps crossed =
+        jumps_between(model->system(), run.states.front(), run.last(), false);
+    EXPECT_FALSE(crossed.functions.empty());
+    double largest = 0;
+    for (const std::size_t function : crossed.functions)
+      largest =
+          std::max(largest, common_jump(model->system(), run.states.front(), run.last(), function));
+    return largest;
   };
   EXPECT_EQ(jump("k * p * v * if(h < 0.005, 1, 1 + 50 * (h - 0.005))"), 0);
   EXPECT_GT(jump("k * p * v * if(h < 0.005, 1, 5)"), 4 * 1e-7 * 1000);

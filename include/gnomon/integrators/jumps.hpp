@@ -17,10 +17,11 @@ struct CrossedJumps {
   std::vector<double> before = {};  ///< values of the switching functions at the start
 };
 
-/// The largest jump that a rate makes at both states, as the smaller of the two. Of a condition on
-/// both sides of which rates are the same, as if(p > p0, p - p0, 0), the branches differ at the two
-/// states with unlike signs: it does not jump. Throws RecoverableError where a rate has no value.
-double common_jump(const System& system, const State& from, const State& to);
+/// The largest jump that a rate makes at both states by one switching function, as the smaller of
+/// the two. Of a condition on both sides of which rates are the same, as if(p > p0, p - p0, 0), the
+/// branches differ at the two states with unlike signs: it does not jump. Throws RecoverableError
+/// where a rate has no value.
+double common_jump(const System& system, const State& from, const State& to, std::size_t function);
 
 /// The jumps between two states, `by` only if `size` is wanted.
 CrossedJumps jumps_between(const System& system, const State& from, const State& to, bool size);
