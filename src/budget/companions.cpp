@@ -85,7 +85,6 @@ void Companions::add_mesh(const Scene& scene, const Goals& goals,
 }
 
 void Companions::compare(BudgetPart& part, const Trial& base, const Key& key) {
-  constexpr double part_of_fewer = 1.0 / 3;  // the error of half as many phases is four times
   const Finer finer(part.source);
   std::optional<Scene> fewer, other;
   if (part.source == ErrorSource::phases) fewer = key.controls->scaled(base.scene, 2);
@@ -93,8 +92,12 @@ void Companions::compare(BudgetPart& part, const Trial& base, const Key& key) {
   if (!other) throw InputError("it cannot be finer on the mesh of the companions");
   part.how = change_text(base.scene, *other);
   part.errors = differences(base.goals, run(*other, part.how).goals);
-  for (double& error : part.errors)
-    error = std::abs(error) * (fewer ? part_of_fewer : finer.part_of_coarser);
+  // The error of half as many phases is four times as large; odd numbers have no half.
+  const double times = fewer && base.scene.given(key.name)
+                           ? base.scene.reals(key.name).at(0) / fewer->reals(key.name).at(0)
+                           : 2;
+  const double scale = fewer ? 1 / (times * times - 1) : finer.part_of_coarser;
+  for (double& error : part.errors) error = std::abs(error) * scale;
 }
 
 void respect_ledger(Budget& budget, double ledger) {
