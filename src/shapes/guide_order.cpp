@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
-#include <numeric>
 #include <tuple>
 
 namespace gnomon {
@@ -15,9 +14,11 @@ using Normals = std::vector<Vector<dim>>;
 /// Unit; zero of a closed surface, or of none.
 template <int dim>
 Vector<dim> mean_of(const Normals<dim>& normals) {
-  const Vector<dim> sum =
-      std::accumulate(normals.begin(), normals.end(), Vector<dim>(Vector<dim>::Zero()));
-  return sum.isZero(0) ? sum : sum.normalized();
+  constexpr double rounding = 1e-9;
+  Vector<dim> sum = Vector<dim>::Zero();
+  double whole = 0;
+  for (const Vector<dim>& normal : normals) sum += normal, whole += normal.norm();
+  return sum.norm() <= rounding * whole ? Vector<dim>(Vector<dim>::Zero()) : sum.normalized();
 }
 
 /// In the mean: a curved surface also faces what pushes along it.
