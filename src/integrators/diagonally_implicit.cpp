@@ -107,8 +107,7 @@ NewtonReport DiagonallyImplicit::solve(double t, double step, const Rates& base,
   };
   function.rate_weight = 1 / step;
   function.switch_node = system_.structure().switch_node;
-  // Short steps are for the algebraic components, of which the distance sees nothing.
-  if (options.error > 0 && !options.settles)
+  if (options.error > 0)
     function.distance = [&](std::span<const double> before, std::span<const double> y) {
       return norm_.distance(before, y, from.y) / options.error;
     };

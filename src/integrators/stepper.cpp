@@ -233,6 +233,7 @@ std::optional<OneStepStepper::Step> OneStepStepper::short_step(const State& stat
   constexpr double tolerated = 0.5;  // its size does not follow from the last error
   const std::optional<EventLocator> before = locator_;
   const Step step{{t_end - state.t, t_end, true}, {}, true};
+  // They are for the algebraic components, of which an error of the differential ones sees nothing.
   const Landing landing = take(state, step.plan, {.settles = true});
   const bool whole = landing.attempt.success && landing.h == step.plan.h && landing.switched == 0;
   if (whole && landing.attempt.error <= tolerated) return Step{step.plan, landing, true};
