@@ -197,7 +197,7 @@ std::string remark_on_time(const LawInTime& in_time,
   if (missed <= right) return {};
   return fmt::format(
       "the wear law changes with time faster than steps of {:g} s can follow: {:.2g} % of what it "
-      "wears lies between their ends and middles",
+      "wears lies off parabolas through their ends and middles",
       fixed_step, 100 * missed);
 }
 
