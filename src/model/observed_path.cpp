@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/base/processes.hpp>
 #include <gnomon/model/magnitudes.hpp>
+#include <limits>
 
 #include "mesh/facet_table.hpp"
 #include "model/connected_parts.hpp"
@@ -52,16 +53,27 @@ Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase
 }
 
 /// Keeps what is not across planes of symmetry, which cut the contact where supports hold nodes
-/// that touch, in a direction in which nothing moves the partner. The other half pushes back there.
+/// that touch in one direction alone, in a plane across it. The other half pushes back there.
 template <int dim>
 Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
                              const std::vector<PhaseContact<dim>>& phases) {
-  Vector<dim> kept = Vector<dim>::Ones();
+  constexpr double rounding = 1e-9;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Vector<dim> low = Vector<dim>::Constant(none), high = -low;  // of what is held along each axis
   for (const PhaseContact<dim>& phase : phases)
-    for (std::size_t c = 0; c < phase.nodes.size(); ++c)
-      for (int i = 0; i < dim; ++i)
-        if (phase.nodes[c].active && assembly.supports.held(assembly.contact_nodes[c].node, i))
-          kept[i] = 0;
+    for (std::size_t c = 0; c < phase.nodes.size(); ++c) {
+      const int node = assembly.contact_nodes[c].node;
+      const auto by = assembly.supports.held.row(node).template cast<int>();
+      if (!phase.nodes[c].active || by.sum() != 1) continue;
+      Eigen::Index i = 0;
+      by.maxCoeff(&i);
+      low[i] = std::min(low[i], assembly.mesh.nodes[node][i]);
+      high[i] = std::max(high[i], assembly.mesh.nodes[node][i]);
+    }
+  const double size = Box<dim>::around(assembly.mesh.nodes).diagonal();
+  Vector<dim> kept = Vector<dim>::Ones();
+  for (int i = 0; i < dim; ++i)
+    if (high[i] >= low[i] && high[i] - low[i] <= rounding * size) kept[i] = 0;
   const CyclicMotion<dim>& motion = assembly.cycle->motion;
   const auto keep_moved = [&](const Cycle& cycle) {
     for (int i = 0; i < dim; ++i)
