@@ -178,6 +178,16 @@ std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
   return result;
 }
 
+namespace {
+
+/// By the node's own multiplier.
+template <int dim>
+double carried_pressure(const ContactNode<dim>& node) {
+  return node.share > 0 ? node.load / node.share : 0;
+}
+
+}  // namespace
+
 template <int dim>
 CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
                           const std::vector<PhaseContact<dim>>& phases) {
@@ -193,8 +203,8 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
       if (now.active) result.holds[c] = Hold::slips;
       if (now.sticks || !(now.active || before.active)) continue;
       paths[c] += now.slip.norm();
-      result.work -= assembly.copies * now.area * now.friction * now.slip.norm() *
-                     (now.traction + before.traction) / 2;
+      result.work += assembly.copies * now.share * now.friction * now.slip.norm() *
+                     (carried_pressure(now) + carried_pressure(before)) / 2;
     }
     if (result.holds[c] != Hold::open) result.path = std::max(result.path, paths[c]);
   }
@@ -205,7 +215,7 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
     if (result.holds[c] == Hold::open || paths[c] > std::max(creeping * result.path, least))
       continue;
     result.holds[c] = Hold::sticks;
-    result.stick_area += assembly.copies * phases.front().nodes[c].area;
+    result.stick_area += assembly.copies * phases.front().nodes[c].share;
   }
   result.work = sum_over_processes(result.work);
   result.stick_area = sum_over_processes(result.stick_area);
