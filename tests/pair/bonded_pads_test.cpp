@@ -82,5 +82,19 @@ TEST_F(BondedPads, CarryTheLoadOnce) {
   EXPECT_NEAR(observed(*model, start, "wear_flux_B") / (1e-7 * 100), 30, 1e-3);
 }
 
+// Gross sliding, but for the shear of the pads where the motion turns.
+TEST_F(BondedPads, HaveTheWorkOfTheirFrictionOnce) {
+  folder_.write("pads.geo", pads);
+  std::string swinging = text;
+  const std::string velocity = "velocity = [100.0, 0.0]";
+  swinging.replace(swinging.find(velocity), velocity.size(),
+                   "cycle = { x = \"0.5*sin(2*pi*tau)\" }");
+  const auto model = this->model(
+      swinging +
+      "[friction]\ncoefficient = 0.1\nstick = true\n[cycle]\nperiod = 1.0\nphases = 8\n");
+  Counters counters;
+  EXPECT_NEAR(observed(*model, model->start(counters), "friction_work"), 0.1 * 70 * 4 * 0.5, 0.2);
+}
+
 }  // namespace
 }  // namespace gnomon::bonded_pads_test

@@ -51,6 +51,66 @@ TEST_F(LoadsOfAPath, AConstantForceIsWhatFrictionCarries) {
                   "[[counter_body.press]]\ndirection = [0.0, -1.0]\nforce = 20.0\n" + along(8, ""));
 }
 
+/// All around, the normals have no mean, whichever way the force points.
+TEST_F(LoadsOfAPath, ABoreIsPressedOnAnySide) {
+  folder_.write("bore.geo", R"(SetFactory("OpenCASCADE");
+Disk(1) = {0, 0, 0, 3, 3}; Disk(2) = {0, 0, 0, 1, 1};
+BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };
+Mesh.MeshSizeMax = 0.3;
+Physical Surface("ring") = {3};
+c() = Boundary{ Surface{3}; };
+Physical Curve("outer") = {c(0)}; Physical Curve("bore") = {c(1)};
+)");
+  for (const double degrees : {0.0, 27.0, 207.0}) {
+    const double c = std::cos(degrees * M_PI / 180), s = std::sin(degrees * M_PI / 180);
+    EXPECT_NEAR(at_start("friction_force", fmt::format(R"toml(
+problem = "worn_body"
+mesh.file = "bore.geo"
+body = {{ young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }}
+support = [ {{ on = "outer" }} ]
+friction = {{ coefficient = 0.6, stick = true }}
+wear = {{ on = ["bore"], coefficient = 2.9e-8 }}
+time.cycles = 1000
+cycle = {{ period = 1.0, phases = 4 }}
+counter_body = {{ shape = "cylinder", radius = 0.99, center = [0.0, 0.0], press = [
+  {{ direction = [{0}, {1}], force = 20.0 }},
+  {{ direction = [{2}, {0}], force = 5.0, cycle = "sin(2*pi*tau)" }} ] }}
+)toml",
+                                                       c, s, -s)),
+                5, 1e-6)
+        << degrees;
+  }
+}
+
+/// Its other side is no mirror image.
+TEST_F(LoadsOfAPath, AClampedEdgeIsNoPlaneOfSymmetry) {
+  folder_.write("pad.geo", R"(SetFactory("OpenCASCADE");
+Rectangle(1) = {0, -1, 0, 3, 1}; Rectangle(2) = {0, 0, 0, 1, 0.5};
+Transfinite Curve {1, 3} = 10; Transfinite Curve {2, 4} = 4;
+Transfinite Curve {5, 7} = 5; Transfinite Curve {6, 8} = 3;
+Transfinite Surface "*"; Recombine Surface "*";
+Physical Curve("bottom") = {1}; Physical Curve("face") = {3}; Physical Curve("left") = {4};
+Physical Curve("feet") = {5}; Physical Curve("top") = {7};
+Physical Surface("flat") = {1}; Physical Surface("pad") = {2};
+)");
+  const std::string text = R"toml(
+problem = "worn_body"
+mesh.file = "pad.geo"
+body = [ { name = "flat", young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" },
+         { name = "pad", young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" } ]
+support = [ { on = "top", directions = ["x"], stiffness = 1e-3 }, { on = "bottom" },
+            { on = "left" } ]
+pair = [ { bodies = ["pad", "flat"], surfaces = ["feet", "face"] } ]
+load = [ { on = "top", force = [0.0, -20.0] },
+         { on = "top", force = [4.0, 0.0], cycle = "sin(2*pi*tau)" } ]
+friction = { coefficient = 0.5, stick = true }
+wear = { on = ["face", "feet"], coefficient = 1e-8 }
+time.cycles = 100
+cycle = { period = 1.0, phases = 4 }
+)toml";
+  EXPECT_NEAR(at_start("friction_force", text), 4, 1e-3);
+}
+
 /// The other half pushes back across the plane of symmetry, as no friction does.
 TEST_F(LoadsOfAPath, FrictionOfAHalfIsHalfOfTheWhole) {
   folder_.write("half.geo", R"(SetFactory("OpenCASCADE");
