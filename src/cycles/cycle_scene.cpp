@@ -72,7 +72,7 @@ std::vector<std::string> function_names(const Scene& scene) {
                                     "cycle.rotation", "cycle.force", "cycle.load"};
   for (const std::string of : {"x", "y", "z", "rotation"})
     for (const std::string& entry : scene.chosen_names("motion.#.cycle." + of))
-      names.push_back("motion." + entry + ".cycle." + of);
+      names.push_back(fmt::format("motion.{}.cycle.{}", entry, of));
   names.emplace_back("counter_body.press.cycle");
   for (const std::string& entry : scene.chosen_names("counter_body.press.#.cycle"))
     names.push_back("counter_body.press." + entry + ".cycle");

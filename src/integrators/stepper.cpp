@@ -255,7 +255,7 @@ OneStepStepper::Step OneStepStepper::next_step(const State& state, double t_stop
   }
   if (!closings_->recent()) {
     const std::optional<EventLocator> before = locator_;
-    const Step step = ordinary_step(state, t_stop);
+    Step step = ordinary_step(state, t_stop);
     if (!step.lands() || !closings_->closes(active(next_))) return step;
     ++counters_.rejected_steps;
     if (before) locator_.emplace(*before);
