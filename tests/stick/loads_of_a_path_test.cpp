@@ -113,13 +113,7 @@ cycle = { period = 1.0, phases = 4 }
 
 /// The other half pushes back across the plane of symmetry, as no friction does.
 TEST_F(LoadsOfAPath, FrictionOfAHalfIsHalfOfTheWhole) {
-  folder_.write("half.geo", R"(SetFactory("OpenCASCADE");
-Box(1) = {-0.2, 0, -0.2, 0.4, 0.2, 0.2};
-Transfinite Curve {1, 2, 3, 4, 5, 6, 7, 8} = 4; Transfinite Curve {9, 10, 11, 12} = 7;
-Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
-Physical Surface("symmetry") = {3}; Physical Surface("bottom") = {5};
-Physical Surface("surface") = {6}; Physical Volume("block") = {1};
-)");
+  folder_.write("half.geo", half_block);
   const std::string text = R"toml(problem = "worn_body"
 mesh.file = "half.geo"
 body = { young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }

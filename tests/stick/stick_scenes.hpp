@@ -65,6 +65,15 @@ struct Cattaneo {
   }
 };
 
+/// A block in space, cut at its plane of symmetry y = 0.
+inline constexpr const char* half_block = R"(SetFactory("OpenCASCADE");
+Box(1) = {-0.2, 0, -0.2, 0.4, 0.2, 0.2};
+Transfinite Curve {1, 2, 3, 4, 5, 6, 7, 8} = 4; Transfinite Curve {9, 10, 11, 12} = 7;
+Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
+Physical Surface("symmetry") = {3}; Physical Surface("bottom") = {5};
+Physical Surface("surface") = {6}; Physical Volume("block") = {1};
+)";
+
 class Fretting : public PartScenes {
 protected:
   void SetUp() override {

@@ -119,13 +119,7 @@ TEST_F(Fretting, ASwingingCylinderWearsByItsArcs) {
 
 /// A half with its plane of symmetry held is as the whole, by either solver.
 TEST_F(Fretting, HeldDirectionsCarryNoTraction) {
-  folder_.write("half.geo", R"(SetFactory("OpenCASCADE");
-Box(1) = {-0.2, 0, -0.2, 0.4, 0.2, 0.2};
-Transfinite Curve {1, 2, 3, 4, 5, 6, 7, 8} = 4; Transfinite Curve {9, 10, 11, 12} = 7;
-Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
-Physical Surface("symmetry") = {3}; Physical Surface("bottom") = {5};
-Physical Surface("surface") = {6}; Physical Volume("block") = {1};
-)");
+  folder_.write("half.geo", half_block);
   const std::string text = R"toml(problem = "worn_body"
 mesh.file = "half.geo"
 body = { young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }
