@@ -60,9 +60,9 @@ std::vector<std::string> separate_groups(const ImportedMesh& mesh) {
         bonded[gone] = kept;
       }
   }
-  const bool is_one = std::ranges::all_of(names, [&, number = 0](const std::string&) mutable {
-    return kept_for(bonded, number++) == 0;
-  });
+  bool is_one = true;
+  for (int number = 0; number < std::ssize(names); ++number)
+    is_one = is_one && kept_for(bonded, number) == 0;
   return is_one ? std::vector<std::string>() : names;
 }
 
