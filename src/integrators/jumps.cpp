@@ -47,35 +47,20 @@ std::vector<double> jumps_of_rates(const System& system, const State& from, cons
   return sum;
 }
 
-struct Branches {
-  ActiveSet at_start, at_end;  // but for switching functions that do not jump: both at the end
-};
-
-/// F on the second branch less F on the first.
+/// F on the other branch less F on the own one.
 std::vector<double> difference(const System& system, const State& at, double within,
-                               const Branches& branches) {
-  std::vector<double> first(at.y.size()), second(at.y.size());
-  system.residual({at.t, at.y, at.ydot, &branches.at_start, within}, first);
-  system.residual({at.t, at.y, at.ydot, &branches.at_end, within}, second);
-  for (std::size_t i = 0; i < first.size(); ++i) second[i] -= first[i];
-  return second;
+                               const ActiveSet& own, const ActiveSet& other) {
+  std::vector<double> here(at.y.size()), there(at.y.size());
+  system.residual({at.t, at.y, at.ydot, &own, within}, here);
+  system.residual({at.t, at.y, at.ydot, &other, within}, there);
+  for (std::size_t i = 0; i < here.size(); ++i) there[i] -= here[i];
+  return there;
 }
 
 std::vector<double> switching_values(const System& system, const State& at) {
   std::vector<double> values(system.structure().switch_jumps.size());
   system.switching({.t = at.t, .y = at.y, .ydot = at.ydot}, values);
   return values;
-}
-
-Branches branches_of(const System& system, const std::vector<double>& before,
-                     const std::vector<double>& after) {
-  Branches found;
-  for (std::size_t j = 0; j < before.size(); ++j) {
-    found.at_end.push_back(after[j] <= 0);
-    found.at_start.push_back(system.structure().switch_jumps[j] ? before[j] <= 0
-                                                                : found.at_end.back());
-  }
-  return found;
 }
 
 /// Whether the algebraic rows jump in time at a state.
@@ -101,27 +86,29 @@ CrossedJumps jumps_between(const System& system, const State& from, const State&
   if (std::ranges::count(may_jump, 1) == 0) return found;
   std::vector<double> before = switching_values(system, from);
   const std::vector<double> after = switching_values(system, to);
-  Branches branches = branches_of(system, before, after);
+  ActiveSet at_start;
   std::vector<Crossing> crossings;
   for (std::size_t j = 0; j < may_jump.size(); ++j) {
-    if (branches.at_start[j] == branches.at_end[j]) continue;
+    const bool active = after[j] <= 0;
+    at_start.push_back(may_jump[j] ? before[j] <= 0 : active);
+    if (at_start.back() == active) continue;
     found.functions.push_back(j);
     crossings.push_back({j, before[j] / (before[j] - after[j])});
     found.first = std::min(found.first, crossings.back().after);
   }
   if (size && !on_all_processes(found.functions.empty()))
-    found.by = jumps_of_rates(system, from, to, std::move(crossings), std::move(branches.at_start));
+    found.by = jumps_of_rates(system, from, to, std::move(crossings), std::move(at_start));
   found.before = std::move(before);
   return found;
 }
 
 double common_jump(const System& system, const State& from, const State& to, std::size_t function) {
-  Branches branches =
-      branches_of(system, switching_values(system, from), switching_values(system, to));
-  branches.at_start = branches.at_end;
-  branches.at_start[function] = !branches.at_end[function];
-  const std::vector<double> at_start = difference(system, from, from.t, branches),
-                            at_end = difference(system, to, from.t, branches);
+  ActiveSet own;
+  for (const double value : switching_values(system, to)) own.push_back(value <= 0);
+  ActiveSet other = own;
+  other[function] = !own[function];
+  const std::vector<double> at_start = difference(system, from, from.t, own, other),
+                            at_end = difference(system, to, from.t, own, other);
   double largest = 0;
   for (std::size_t i = 0; i < at_start.size(); ++i)
     if (system.structure().differential[i] && at_start[i] * at_end[i] > 0)
