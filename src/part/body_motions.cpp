@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/scene/keys.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
 
+#include "model/connected_parts.hpp"
 #include "part/histories.hpp"
 #include "part/part_cycle.hpp"
 
@@ -116,48 +119,79 @@ BodyCycle<dim> read_motion(const Scene& scene, const std::string& table, Section
   return body;
 }
 
+bool has_cycle(const Scene& scene, const std::string& table) {
+  return std::ranges::any_of(std::array{"x", "y", "z", "rotation"}, [&](const char* function) {
+    return scene.given(table + ".cycle." + function);
+  });
+}
+
+/// By name of a body its [[motion]]; of one without, that of a body which is bonded to it.
+template <int dim>
+std::map<std::string, std::string> tables_of(const Scene& scene, const AssemblyParts<dim>& parts) {
+  std::map<std::string, std::string> tables;
+  for (const std::string& table : entries_of(scene, "motion", motion_keys_of_bodies(), {"body"}))
+    if (const std::string key = table + ".body"; !tables.emplace(scene.text(key), table).second)
+      refuse(scene, key,
+             fmt::format("one [[motion]] for each body, got two for \"{}\"", scene.text(key)));
+  const std::map<std::string, std::string> given = tables;
+  const std::vector<int> part = connected_parts(parts.mesh, parts.bodies);
+  for (std::size_t b = 0; b < part.size(); ++b)
+    for (std::size_t other = 0; other < part.size(); ++other) {
+      const auto found = given.find(parts.bodies[other].name);
+      if (part[other] != part[b] || found == given.end()) continue;
+      const auto& [own, table] = *tables.emplace(parts.bodies[b].name, found->second).first;
+      if (table != found->second && has_cycle(scene, table))
+        refuse(scene, found->second + ".body",
+               fmt::format("one [[motion]] with a cycle for bodies that are bonded: \"{}\" goes "
+                           "where \"{}\" does",
+                           found->first, own));
+    }
+  return tables;
+}
+
 }  // namespace
 
 template <int dim>
-std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene, Section section) {
+std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene,
+                                                             const AssemblyParts<dim>& parts) {
   std::map<std::string, BodyCycle<dim>> motions;
-  for (const std::string& table : entries_of(scene, "motion", motion_keys_of_bodies(), {"body"})) {
-    const std::string key = table + ".body";
-    const std::string& name = scene.text(key);
-    if (!motions.try_emplace(name, read_motion<dim>(scene, table, section)).second)
-      refuse(scene, key, fmt::format("one [[motion]] for each body, got two for \"{}\"", name));
-  }
+  for (const auto& [body, table] : tables_of(scene, parts))
+    motions.emplace(body, read_motion<dim>(scene, table, parts.section()));
   return motions;
 }
 
 template <int dim>
-RollingBody<dim> read_rolling_body(const Scene& scene, const std::string& body) {
-  RollingBody<dim> result;
-  for (const std::string& table : entries_of(scene, "motion", motion_keys_of_bodies(), {"body"})) {
-    if (scene.text(table + ".body") != body) continue;
-    result.table = table;
-    const RigidMotion<dim> along = read_velocity<dim>(scene, table + ".velocity");
-    if (along.across != 0) refuse(scene, table + ".velocity", "two numbers where bodies roll");
-    result.velocity = along.velocity;
-    for (std::size_t k = 0; k < 2; ++k)
-      if (const std::string key = table + (k == 0 ? ".force" : ".force_across"); scene.given(key))
-        result.force[k] = scene.real(key);
-    const std::string rotation = table + ".rotation";
-    if (!scene.given(rotation) || scene.real(rotation) == 0) continue;
-    if (dim == 2)
-      refuse(scene, rotation,
-             "none in the plane where bodies roll: the velocity is that of the material where it "
-             "touches");
-    const CycleAxis<dim> axis = read_axis<dim>(scene, table, rotation, Section::plane);
-    result.spin = scene.real(rotation) * axis.spin;
-    result.centre = axis.centre;
-  }
+RollingBody<dim> read_rolling_body(const Scene& scene, const AssemblyParts<dim>& parts,
+                                   const std::string& body) {
+  const auto tables = tables_of(scene, parts);
+  const auto found = tables.find(body);
+  if (found == tables.end()) return {};
+  const std::string& table = found->second;
+  const RigidMotion<dim> along = read_velocity<dim>(scene, table + ".velocity");
+  if (along.across != 0) refuse(scene, table + ".velocity", "two numbers where bodies roll");
+  RollingBody<dim> result{.velocity = along.velocity, .table = table};
+  for (std::size_t k = 0; k < 2; ++k)
+    if (const std::string key = table + (k == 0 ? ".force" : ".force_across"); scene.given(key))
+      result.force[k] = scene.real(key);
+  const std::string rotation = table + ".rotation";
+  if (!scene.given(rotation) || scene.real(rotation) == 0) return result;
+  if (dim == 2)
+    refuse(scene, rotation,
+           "none in the plane where bodies roll: the velocity is that of the material where it "
+           "touches");
+  const CycleAxis<dim> axis = read_axis<dim>(scene, table, rotation, Section::plane);
+  result.spin = scene.real(rotation) * axis.spin;
+  result.centre = axis.centre;
   return result;
 }
 
-template RollingBody<2> read_rolling_body(const Scene&, const std::string&);
-template RollingBody<3> read_rolling_body(const Scene&, const std::string&);
-template std::map<std::string, BodyCycle<2>> read_motions_of_bodies(const Scene&, Section);
-template std::map<std::string, BodyCycle<3>> read_motions_of_bodies(const Scene&, Section);
+template RollingBody<2> read_rolling_body(const Scene&, const AssemblyParts<2>&,
+                                          const std::string&);
+template RollingBody<3> read_rolling_body(const Scene&, const AssemblyParts<3>&,
+                                          const std::string&);
+template std::map<std::string, BodyCycle<2>> read_motions_of_bodies(const Scene&,
+                                                                    const AssemblyParts<2>&);
+template std::map<std::string, BodyCycle<3>> read_motions_of_bodies(const Scene&,
+                                                                    const AssemblyParts<3>&);
 
 }  // namespace gnomon::part

@@ -14,9 +14,10 @@ namespace gnomon::part {
 
 std::vector<Key> motion_keys_of_bodies();
 
-/// By name of the body that moves. Throws InputError.
+/// By name of the body that moves; what is bonded to it moves with it. Throws InputError.
 template <int dim>
-std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene, Section section);
+std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene,
+                                                             const AssemblyParts<dim>& parts);
 
 /// A body in steady rolling: its material where it touches.
 template <int dim>
@@ -31,6 +32,7 @@ struct RollingBody {
 
 /// By its name. Throws InputError.
 template <int dim>
-RollingBody<dim> read_rolling_body(const Scene& scene, const std::string& body);
+RollingBody<dim> read_rolling_body(const Scene& scene, const AssemblyParts<dim>& parts,
+                                   const std::string& body);
 
 }  // namespace gnomon::part

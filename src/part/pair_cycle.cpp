@@ -7,7 +7,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 
-#include "model/connected_parts.hpp"
 #include "part/histories.hpp"
 #include "part/part_cycle.hpp"
 #include "part/phases.hpp"
@@ -24,23 +23,6 @@ void require_cycle_of_bodies(const Scene& scene) {
       throw InputError(fmt::format("{}: expected motion.#.cycle.{} of a body beside [[pair]]",
                                    scene.where(key), std::string(key).substr(6)));
   if (scene.given("cycle.force")) refuse(scene, "cycle.force", "cycle.load beside [[pair]]");
-}
-
-/// Bodies that share nodes have one place.
-template <int dim>
-void require_common_places(const Scene& scene, const std::map<std::string, BodyCycle<dim>>& motions,
-                           const AssemblyParts<dim>& parts) {
-  const std::vector<int> part = connected_parts(parts.mesh, parts.bodies);
-  for (std::size_t b = 0; b < part.size(); ++b) {
-    const auto motion = motions.find(parts.bodies[b].name);
-    if (motion == motions.end() || !motion->second.moves()) continue;
-    for (std::size_t other = 0; other < part.size(); ++other)
-      if (other != b && part[other] == part[b])
-        throw InputError(fmt::format(
-            "{}: [[motion]]: expected no cycle of \"{}\", which is bonded to \"{}\": the places of "
-            "bonded bodies are not built yet",
-            scene.path().string(), parts.bodies[b].name, parts.bodies[other].name));
-  }
 }
 
 }  // namespace
@@ -64,7 +46,6 @@ void read_cycle_of_bodies(const Scene& scene, const std::map<std::string, BodyCy
     refuse(scene, "cycle.period",
            "what changes over the cycle: motion.#.cycle of a body, cycle.load or load.#.cycle; a "
            "steady motion needs no [cycle]");
-  require_common_places(scene, motions, parts);
   CyclicMotion<dim> motion{.cycle = *cycle, .axis = {}};
   for (const Body& body : parts.bodies) {
     const auto found = motions.find(body.name);

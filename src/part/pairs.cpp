@@ -143,12 +143,21 @@ double speed_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts) {
   return area > 0 ? sum / area : 0;
 }
 
-/// A body that moves slides on another one.
-void require_moving_pairs(const Scene& scene) {
+/// A body that moves, or what is bonded to it, slides on another one.
+template <int dim>
+void require_moving_pairs(const Scene& scene, const AssemblyParts<dim>& parts) {
   const std::vector<std::string> names = separate_bodies(scene);
+  const std::vector<int> part = connected_parts(parts.mesh, parts.bodies);
+  std::set<int> paired;
+  for (std::size_t b = 0; b < part.size(); ++b)
+    if (std::ranges::count(names, parts.bodies[b].name) > 0) paired.insert(part[b]);
+  const auto is_paired = [&](const std::string& name) {
+    const auto body = std::ranges::find(parts.bodies, name, &Body::name);
+    return body != parts.bodies.end() && paired.contains(part[body - parts.bodies.begin()]);
+  };
   for (const std::string& motion : scene.chosen_names("motion.#.body")) {
     const std::string key = "motion." + motion + ".body";
-    if (std::ranges::find(names, scene.text(key)) == names.end())
+    if (!is_paired(scene.text(key)))
       throw InputError(fmt::format("{}: expected a body of a [[pair]], \"{}\", got \"{}\"",
                                    scene.where(key), fmt::join(names, "\", \""), scene.text(key)));
   }
@@ -239,9 +248,8 @@ template <int dim>
 void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts<dim>& parts) {
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
   const Facets<dim> wearing = facets_of(wearing_surfaces(scene, part));
-  require_moving_pairs(scene);
-  const std::map<std::string, BodyCycle<dim>> motions =
-      read_motions_of_bodies<dim>(scene, parts.section());
+  require_moving_pairs(scene, parts);
+  const std::map<std::string, BodyCycle<dim>> motions = read_motions_of_bodies(scene, parts);
   read_cycle_of_bodies(scene, motions, parts);
   const auto instants = places_over_cycle(parts);
   for (const std::string& table : pair_tables(scene)) {

@@ -195,10 +195,10 @@ void read_forces(const Scene& scene, const RollingBody<dim>& body, const MortarP
 
 /// The velocities of both bodies; alike along what a force determines, where the search begins.
 template <int dim>
-void read_velocities(const Scene& scene, MortarPair<dim>& pair) {
+void read_velocities(const Scene& scene, const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
   std::array<RollingBody<dim>, 2> bodies;
   for (std::size_t side = 0; side < 2; ++side) {
-    bodies[side] = read_rolling_body<dim>(scene, pair.bodies[side]);
+    bodies[side] = read_rolling_body(scene, parts, pair.bodies[side]);
     pair.velocities[side] = bodies[side].velocity;
   }
   for (std::size_t side = 0; side < 2; ++side)
@@ -231,7 +231,7 @@ Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts) {
   Rolling<dim> rolling{
       .velocity = V, .creepage = (V - other) / V.norm(), .linear = has_small_strains(parts.bodies)};
   for (const bool master : {false, true}) {
-    const auto body = read_rolling_body<dim>(scene, pair.bodies[master]);
+    const auto body = read_rolling_body(scene, parts, pair.bodies[master]);
     read_forces(scene, body, pair, master, rolling);
     read_spin(scene, body, pair.approach, (master ? -1 : 1) / V.norm(), rolling);
   }
@@ -245,7 +245,7 @@ Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts) {
 template <int dim>
 void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
   for (MortarPair<dim>& pair : parts.pairs) {
-    read_velocities(scene, pair);
+    read_velocities(scene, parts, pair);
     for (const Vector<dim>& V : pair.velocities)
       if (!(V.norm() > 0))
         throw InputError(fmt::format(

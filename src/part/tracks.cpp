@@ -136,7 +136,7 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
     throw unfit_track(scene, surface.name, "expected shape.constraint = \"eliminated\"");
   if (on_rigid) return Track<dim>{{rolling->velocity.normalized()}, scene.real(key)};
   const std::string& body = body_of_track(scene, surface, parts).name;
-  const auto motions = read_motions_of_bodies<dim>(scene, parts.section());
+  const auto motions = read_motions_of_bodies(scene, parts);
   const auto motion = motions.find(body);
   if (motion == motions.end())
     throw unfit_track(scene, surface.name,
@@ -144,7 +144,7 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
                                   "a track its material passes the contact",
                                   body));
   const std::optional<Streamlines<dim>> along =
-      rolling ? Streamlines<dim>{read_rolling_body<dim>(scene, body).velocity.normalized()}
+      rolling ? Streamlines<dim>{read_rolling_body(scene, parts, body).velocity.normalized()}
               : streamlines_of(motion->second.motion);
   if (along) require_motion_along(scene, surface, parts.mesh, *along);
   if (!along)
@@ -234,7 +234,7 @@ std::vector<std::string> remarks_on_passing_material(const Scene& scene,
   if (parts.pairs.empty() || !parts.phases.empty() || parts.section() == Section::meridian)
     return {};
   std::vector<std::string> remarks;
-  const auto motions = read_motions_of_bodies<dim>(scene, parts.section());
+  const auto motions = read_motions_of_bodies(scene, parts);
   const WearCircumstances at = wear_circumstances(parts);
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
   for (const Surface<dim>& surface : parts.interface.surfaces) {
