@@ -29,8 +29,10 @@ std::string idle_beside_bodies(const Scene& scene) {
   return has_bodies(scene) ? "each [[body]] has its own" : "";
 }
 
-/// Of a geometry; a mesh is what it is. Where a plan has chosen a size for the contact, edges away
-/// from it change by the square root: their part of the error falls with their square.
+/// Of a geometry; a mesh is what it is. Where a plan has chosen a size for the contact, which
+/// mesh.factor multiplies, and edges there are smaller than that, edges away from it are by the
+/// square root: their part of the error falls with their square. Larger ones are all by the factor,
+/// because sizes of the geometry itself, which may be as small at the contact, know no other.
 std::optional<Scene> with_scaled_edges(const Scene& scene, double factor) {
   if (!has_geometry(scene)) return {};
   const auto scaled = [](const Scene& given, const char* key, double by) {
@@ -38,8 +40,11 @@ std::optional<Scene> with_scaled_edges(const Scene& scene, double factor) {
   };
   if (!scene.given("mesh.contact_size") || scene.is_set("mesh.contact_size"))
     return scaled(scene, "mesh.factor", factor);
-  const double part = std::sqrt(factor);  // contact_size is multiplied by mesh.factor
-  return scaled(scaled(scene, "mesh.factor", part), "mesh.contact_size", part);
+  const double before = scene.real("mesh.factor"),
+               chosen = scene.real("mesh.contact_size") / std::min(1.0, before);
+  const double edges = factor * (before > 1 ? before : before * before);  // by the chosen size
+  const double all = edges > 1 ? edges : std::sqrt(edges);
+  return scene.with("mesh.factor", all).with("mesh.contact_size", chosen * std::min(1.0, all));
 }
 
 std::optional<Scene> with_scaled_split(const Scene& scene, double factor) {

@@ -137,6 +137,11 @@ TEST_F(GradedMesh, MistakesAreRefused) {
   EXPECT_THAT(refusal(meshed), HasSubstr("expected a geometry (.geo, .step or .stp)"));
 }
 
+Scene scaled(const Scene& scene, double factor) {
+  const std::vector<Key> keys = scene.controlling_keys();
+  return *std::ranges::find(keys, "mesh.factor", &Key::name)->controls->scaled(scene, factor);
+}
+
 // A plan for an accuracy begins with a twentieth of the contact.
 // Of a size that a plan has chosen: the contact is divided, and the rest by the square root.
 TEST_F(GradedMesh, IsScaledAwayFromTheContactByTheSquareRoot) {
@@ -144,14 +149,39 @@ TEST_F(GradedMesh, IsScaledAwayFromTheContactByTheSquareRoot) {
   folder_.write("roller.toml", roller_on_block);
   const Scene given = load_scene(folder_.path() / "roller.toml", {}, key_table);
   const Scene chosen = given.without("mesh.contact_size").with("mesh.contact_size", 0.1);
-  const auto quarter = [](const Scene& scene) {
-    const std::vector<Key> keys = scene.controlling_keys();
-    return *std::ranges::find(keys, "mesh.factor", &Key::name)->controls->scaled(scene, 0.25);
-  };
+  const auto quarter = [](const Scene& scene) { return scaled(scene, 0.25); };
   EXPECT_EQ(quarter(given).real("mesh.factor"), 0.25);
   EXPECT_EQ(quarter(given).real("mesh.contact_size"), 0.1);
   EXPECT_EQ(quarter(chosen).real("mesh.factor"), 0.5);
   EXPECT_EQ(quarter(chosen).real("mesh.contact_size"), 0.05);
+}
+
+// Whatever sizes the geometry has itself, and from whatever scene it is scaled.
+TEST_F(GradedMesh, IsScaledWhereTheGeometryIsFineItself) {
+  folder_.write("block.geo", R"(
+Point(1) = {-10, -10, 0, 2}; Point(2) = {10, -10, 0, 2}; Point(3) = {10, 0, 0, 2};
+Point(4) = {7, 0, 0, 0.1}; Point(5) = {-1, 0, 0, 0.1}; Point(6) = {-10, 0, 0, 2};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6};
+Line(6) = {6, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6}; Plane Surface(1) = {1};
+Physical Surface("block") = {1};
+Physical Curve("bottom") = {1}; Physical Curve("face") = {3, 4, 5};
+)");
+  folder_.write("roller.toml", roller_on_block);
+  const Scene chosen = load_scene(folder_.path() / "roller.toml", {}, key_table)
+                           .without("mesh.contact_size")
+                           .with("mesh.contact_size", 0.1);
+  const auto edge = [](const Scene& scene) {  // in the mean of those near x = 3
+    double sum = 0;
+    int count = 0;
+    for (const auto& [x, length] : edges_of(*make_model(scene)))
+      if (std::abs(x - 3) < 1) sum += length, ++count;
+    return sum / count;
+  };
+  for (const double factor : {4.0, 2.0, 0.5})
+    EXPECT_NEAR(edge(scaled(chosen, factor)), factor * 0.1, 0.15 * factor * 0.1);
+  EXPECT_NEAR(edge(scaled(scaled(chosen, 4), 0.125)), 0.05, 0.005);
+  EXPECT_NEAR(edge(scaled(scaled(chosen, 0.5), 4)), 0.2, 0.02);
 }
 
 TEST_F(GradedMesh, IsChosenForAStepFile) {
