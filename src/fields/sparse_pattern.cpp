@@ -13,8 +13,19 @@ int SparsePattern::find(int row, int column) const {
 std::vector<int> SparsePattern::positions(const std::vector<int>& rows,
                                           const std::vector<int>& columns) const {
   std::vector<int> result;
-  for (int column : columns)
-    for (int row : rows) result.push_back(row >= 0 && column >= 0 ? find(row, column) : -1);
+  result.reserve(rows.size() * columns.size());
+  for (int column : columns) {
+    std::size_t next = 0;  // after the last place that was found: rows of dense blocks follow it
+    for (int row : rows) {
+      const bool none = row < 0 || column < 0;
+      if (!none && next > 0 && static_cast<int>(next) < column_start[column + 1] &&
+          row_index[next] == row)
+        result.push_back(static_cast<int>(next));
+      else
+        result.push_back(none ? -1 : find(row, column));
+      if (result.back() >= 0) next = static_cast<std::size_t>(result.back()) + 1;
+    }
+  }
   return result;
 }
 
