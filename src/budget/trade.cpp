@@ -54,7 +54,8 @@ void learn_mesh(const Trial& coarse, const Trial& fine, double factor,
   for (double& error : errors) error /= std::exp2(usual_order) - 1;
   respect_area(fine.goals, errors);
   trade.mesh = std::max(largest(errors, places) / std::pow(factor, usual_order), 0.5 * trade.mesh);
-  trade.cost_mesh = std::max(cost_of_nodes * nodes_added(coarse.goals, fine.goals), least_cost);
+  trade.cost_mesh = std::max({cost_of_nodes * nodes_added(coarse.goals, fine.goals),
+                              std::log2(fine.work / coarse.work), least_cost});
   trade.seconds = fine.cpu_seconds * std::pow(factor, trade.cost_mesh);
 }
 
