@@ -243,6 +243,9 @@ private:
       if (scene.has("accuracy.within"))
         throw InputError(scene.where("accuracy.within") +
                          ": expected none in a study, which has settings of its own");
+      if (study_.compared && scene.given("time.until"))
+        throw InputError(scene.where("time.until") +
+                         ": expected none in a study of errors, whose runs end at the same time");
       // Costs are compared: an estimate beside the run is not one of the method.
       scene = scene.with("output.budget", false);
       if (scene.knows("cycle.period") && scene.has("cycle.period"))
@@ -260,7 +263,8 @@ private:
     return {scene_of(method, setting), {}};
   } catch (const InputError&) {
     if (!kept_) throw;
-    return {scene_with({}), override_texts(overrides_of(method, setting))};
+    return {with_cycle_tables(scene_with({})).with_absolute_files(),
+            override_texts(overrides_of(method, setting))};
   }
 
   /// The run of this scene, a new one unless there is one already.

@@ -89,6 +89,19 @@ TEST_F(Extremes, AnImpossibleRunIsRefused) {
   EXPECT_THAT(cases()[1].at("reason"), HasSubstr("pin.height"));
 }
 
+// Its scene lies in a folder of its own, to which the mesh is not relative.
+TEST_F(Extremes, AnImpossibleRunHasTheMeshOfItsScene) {
+  const std::string parts = GNOMON_SOURCE_DIR "/problems/worn_body/";
+  write("pin.geo", test::read_text(parts + "pin.geo"));
+  write("scene.toml", test::read_text(parts + "pin.toml"));
+  write("study.toml", "scene = \"scene.toml\"\n" + references("1e-3", "1e-3") +
+                          method("bdf", "tolerances = [1e-3]", "set.body.poisson_ratio = 0.5"));
+  const Outcome outcome = extremes();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(verdict(0), "refused");
+  EXPECT_THAT(cases()[0].at("reason"), HasSubstr("body.poisson_ratio"));
+}
+
 TEST_F(Extremes, AMistakeInTheFileIsNotACase) {
   write("study.toml", head() + "[[sweep]]\nkey = \"body.poisson_rato\"\nvalues = [0.5]\n" +
                           method("bdf", "tolerances = [1e-3]"));
