@@ -126,7 +126,8 @@ std::vector<StudyColumn> sweep_columns(const Study& study) {
 }
 
 std::vector<StudyColumn> observed_columns(const StudyTable& table) {
-  std::vector<StudyColumn> columns;
+  std::vector<StudyColumn> columns = {
+      real("time", "s", "observation", &StudyRow::reached, "time that the run has reached")};
   const auto is_new = [&](const std::string& name) {
     return std::ranges::none_of(
         columns, [&](const StudyColumn& known) { return known.column.name == name; });

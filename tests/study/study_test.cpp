@@ -207,6 +207,25 @@ TEST_F(StudyRuns, AParameterSweepNeedsNoMethodAndNoReference) {
   EXPECT_FALSE(json()["sweep"][0].contains("reference"));
 }
 
+// Runs that end at a depth have their lives in a column; errors are those of one time.
+TEST_F(StudyRuns, ATimeToADepthIsSweptWithoutErrors) {
+  const std::string until = head() + "time.until = \"worn_volume > 1e-4\"\n";
+  write("study.toml",
+        "reference = \"none\"\n" + until + "[[sweep]]\nkey = \"load.force\"\nvalues = [10, 20]\n");
+  const Outcome outcome = study();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::vector<double> lives;
+  for (const Row& row : rows()) lives.push_back(std::stod(row.at("time")));
+  ASSERT_THAT(lives, SizeIs(2));
+  EXPECT_LT(lives[0], 100);
+  EXPECT_NEAR(lives[0] / lives[1], 2, 0.1);
+  write("study.toml", until + method("esdirk-3", "tolerances = [1e-2]"));
+  std::filesystem::remove_all(folder() / "out");
+  const Outcome refused = study();
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("time.until: expected none in a study of errors"));
+}
+
 TEST_F(StudyRuns, WithoutAReferenceThereIsNoOther) {
   const auto refused = [&](const std::string& text, const std::string& reason) {
     write("study.toml", "reference = \"none\"\n" + head() + text);
