@@ -4,7 +4,9 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/assembly.hpp>
 #include <map>
+#include <set>
 
+#include "mesh/facet_table.hpp"
 #include "model/rigid_balance.hpp"
 #include "model/tracks.hpp"
 
@@ -154,6 +156,19 @@ NodalFlags<2> held_on_axis(const Mesh<2>& mesh) {
   return held;
 }
 
+template <int dim>
+double AssemblyParts<dim>::nominal_speed(const Surface<dim>& surface) const {
+  std::set<typename Mesh<dim>::Facet> own;
+  for (const auto& facet : surface.facets) own.insert(sorted(facet));
+  const auto is_own = [&](const auto& facet) { return own.contains(sorted(facet)); };
+  for (const MortarPair<dim>& pair : pairs)
+    if (std::ranges::any_of(pair.slave, is_own) || std::ranges::any_of(pair.master, is_own))
+      return pair.slides * nominal_speed();
+  return nominal_speed();
+}
+
+template double AssemblyParts<2>::nominal_speed(const Surface<2>&) const;
+template double AssemblyParts<3>::nominal_speed(const Surface<3>&) const;
 template struct Assembly<2>;
 template struct Assembly<3>;
 template NodalField<2> forces_of(const Load<2>&, const AssemblyParts<2>&);

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
+#include <limits>
+#include <map>
 
+#include "model/bring_together.hpp"
 #include "part/histories.hpp"
 #include "part/part_cycle.hpp"
 #include "part/phases.hpp"
@@ -56,24 +59,37 @@ void read_cycle_of_bodies(const Scene& scene, const std::map<std::string, BodyCy
   parts.cycle = CyclicContact<dim>{motion, {1, {}}};
 }
 
+namespace {
+
+/// At positions that are equally far apart; one, at rest, without a cycle.
 template <int dim>
-std::vector<std::vector<BodyPlace<dim>>> places_over_cycle(const AssemblyParts<dim>& parts) {
+std::vector<std::vector<BodyPlace<dim>>> sampled_places(const AssemblyParts<dim>& parts) {
   if (!parts.cycle) return {{}};
-  std::vector<std::vector<BodyPlace<dim>>> all;
-  for (const Phase<dim>& phase : parts.phases) all.push_back(phase.places);
-  for (int k = 0; k < samples; ++k) {
-    std::vector<BodyPlace<dim>>& places = all.emplace_back();
+  std::vector<std::vector<BodyPlace<dim>>> all(samples);
+  for (int k = 0; k < samples; ++k)
     for (const BodyCycle<dim>& body : parts.cycle->motion.bodies)
-      places.push_back(body.at((k + 0.5) / samples));
-  }
+      all[static_cast<std::size_t>(k)].push_back(body.at((k + 0.5) / samples));
   return all;
 }
 
+}  // namespace
+
 template <int dim>
-std::vector<RigidMotion<dim>> motions_over_cycle(const AssemblyParts<dim>& parts,
-                                                 const MortarPair<dim>& pair) {
+std::vector<std::vector<BodyPlace<dim>>> places_over_cycle(const AssemblyParts<dim>& parts) {
+  std::vector<std::vector<BodyPlace<dim>>> all;
+  for (const Phase<dim>& phase : parts.phases) all.push_back(phase.places);
+  for (auto& places : sampled_places(parts)) all.push_back(std::move(places));
+  return all;
+}
+
+namespace {
+
+/// The motion of a pair at the sampled places, in the frame of the slave.
+template <int dim>
+std::vector<RigidMotion<dim>> sampled_motions(const AssemblyParts<dim>& parts,
+                                              const MortarPair<dim>& pair) {
   std::vector<RigidMotion<dim>> motions;
-  for (const auto& places : places_over_cycle(parts)) {
+  for (const auto& places : sampled_places(parts)) {
     const PairPlaces<dim> at(pair, places);
     RigidMotion<dim>& motion = motions.emplace_back(at.motion);
     // In the frame of the slave.
@@ -86,35 +102,78 @@ std::vector<RigidMotion<dim>> motions_over_cycle(const AssemblyParts<dim>& parts
   return motions;
 }
 
+/// Where the slave meets a motion of the master [length / time].
 template <int dim>
-double mean_sliding_speed(const std::vector<RigidMotion<dim>>& motions,
-                          const ContactPatch<dim>& patch) {
-  double speed = 0;
-  for (RigidMotion<dim> at : motions) {
-    at.reference = patch.initial_position;
-    at.normal = patch.initial_normal;
-    speed += at.nominal_speed(Vector<dim>::Zero()) / static_cast<double>(motions.size());
+double speed_at(const ContactPatch<dim>& patch, RigidMotion<dim> motion) {
+  motion.reference = patch.initial_position;
+  motion.normal = patch.initial_normal;
+  return motion.nominal_speed(Vector<dim>::Zero());
+}
+
+/// By the shares of the nodes in the surface.
+template <int dim>
+double mean_speed_over(const std::vector<ContactPatch<dim>>& patches,
+                       const RigidMotion<dim>& motion) {
+  double sum = 0, area = 0;
+  for (const ContactPatch<dim>& patch : patches) {
+    sum += patch.initial_area * speed_at(patch, motion);
+    area += patch.initial_area;
   }
-  return speed;
+  return area > 0 ? sum / area : 0;
+}
+
+/// The nodes of the slave to which the master comes first; all where it comes to none.
+template <int dim>
+std::vector<ContactPatch<dim>> met_first(const std::vector<ContactPatch<dim>>& patches,
+                                         const MortarPair<dim>& pair,
+                                         const std::vector<Vector<dim>>& x) {
+  constexpr double rounding = 1e-6;
+  const std::map<int, double> travels = travels_of_side<dim>(pair, 0, x);
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [node, travel] : travels) least = std::min(least, travel);
+  if (!std::isfinite(least)) return patches;
+  std::vector<ContactPatch<dim>> first;
+  for (const ContactPatch<dim>& patch : patches)
+    if (const auto at = travels.find(patch.node);
+        at != travels.end() && at->second <= least + rounding * pair.reach)
+      first.push_back(patch);
+  return first;
+}
+
+}  // namespace
+
+template <int dim>
+double mean_sliding_speed(const AssemblyParts<dim>& parts, const MortarPair<dim>& pair) {
+  constexpr double nothing = 1e-9;
+  const auto places = sampled_places(parts);
+  const std::vector<RigidMotion<dim>> motions = sampled_motions(parts, pair);
+  const auto patches = contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section());
+  double first = 0, all = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto x = in_space<dim>({pair}, places[k], parts.mesh.nodes);
+    first += mean_speed_over(met_first(patches, pair, x), motions[k]);
+    all += mean_speed_over(patches, motions[k]);
+  }
+  // A ball that turns about the place where it touches slides where it will touch later.
+  return (first > nothing * all ? first : all) / static_cast<double>(places.size());
 }
 
 namespace {
 
-/// The point of a slave whose speed, in the mean over the cycle, is nearest to that of all.
+/// The point of a slave whose speed, in the mean over the cycle, is nearest to that of the pair.
 template <int dim>
 void choose_sliding_point(const AssemblyParts<dim>& parts, CyclicMotion<dim>& motion) {
   const MortarPair<dim>& pair = parts.pairs.front();
-  const std::vector<RigidMotion<dim>> motions = motions_over_cycle(parts, pair);
+  const std::vector<RigidMotion<dim>> motions = sampled_motions(parts, pair);
   const auto patches = contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section());
-  std::vector<double> speeds;
-  double mean = 0;
+  const double mean = mean_sliding_speed(parts, pair);
+  std::vector<double> off;
   for (const auto& patch : patches) {
-    speeds.push_back(mean_sliding_speed(motions, patch));
-    mean += speeds.back() / static_cast<double>(patches.size());
+    double speed = 0;
+    for (const RigidMotion<dim>& at : motions) speed += speed_at(patch, at);
+    off.push_back(std::abs(speed / static_cast<double>(motions.size()) - mean));
   }
-  const auto chosen = static_cast<std::size_t>(
-      std::ranges::min_element(speeds, {}, [&](double speed) { return std::abs(speed - mean); }) -
-      speeds.begin());
+  const auto chosen = static_cast<std::size_t>(std::ranges::min_element(off) - off.begin());
   motion.sliding = pair.numbers;
   motion.point = patches[chosen].initial_position;
   motion.normal = patches[chosen].initial_normal;
@@ -133,8 +192,6 @@ void read_phases_of_pairs(const Scene& scene, AssemblyParts<dim>& parts) {
   parts.cycle = read.contact;
   parts.phases = std::move(read.phases);
   parts.remarks.insert(parts.remarks.end(), read.remarks.begin(), read.remarks.end());
-  if (!parts.interface.speed)
-    parts.interface.speed = mean_speed<dim>(motion, parts.interface.partner);
 }
 
 template void read_cycle_of_bodies(const Scene&, const std::map<std::string, BodyCycle<2>>&,
@@ -145,11 +202,7 @@ template void read_phases_of_pairs(const Scene&, AssemblyParts<2>&);
 template void read_phases_of_pairs(const Scene&, AssemblyParts<3>&);
 template std::vector<std::vector<BodyPlace<2>>> places_over_cycle(const AssemblyParts<2>&);
 template std::vector<std::vector<BodyPlace<3>>> places_over_cycle(const AssemblyParts<3>&);
-template double mean_sliding_speed(const std::vector<RigidMotion<2>>&, const ContactPatch<2>&);
-template double mean_sliding_speed(const std::vector<RigidMotion<3>>&, const ContactPatch<3>&);
-template std::vector<RigidMotion<2>> motions_over_cycle(const AssemblyParts<2>&,
-                                                        const MortarPair<2>&);
-template std::vector<RigidMotion<3>> motions_over_cycle(const AssemblyParts<3>&,
-                                                        const MortarPair<3>&);
+template double mean_sliding_speed(const AssemblyParts<2>&, const MortarPair<2>&);
+template double mean_sliding_speed(const AssemblyParts<3>&, const MortarPair<3>&);
 
 }  // namespace gnomon::part

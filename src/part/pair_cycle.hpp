@@ -25,14 +25,9 @@ void read_phases_of_pairs(const Scene& scene, AssemblyParts<dim>& parts);
 template <int dim>
 std::vector<std::vector<BodyPlace<dim>>> places_over_cycle(const AssemblyParts<dim>& parts);
 
-/// The motion of a pair at each of these places, in the frame of the slave.
+/// The speed at which a pair slides where it first touches, its mean over the cycle: that of
+/// nominal_speed(), where the scene gives none [length / time].
 template <int dim>
-std::vector<RigidMotion<dim>> motions_over_cycle(const AssemblyParts<dim>& parts,
-                                                 const MortarPair<dim>& pair);
-
-/// The speed at which a node of the slave slides by these motions, in the mean.
-template <int dim>
-double mean_sliding_speed(const std::vector<RigidMotion<dim>>& motions,
-                          const ContactPatch<dim>& patch);
+double mean_sliding_speed(const AssemblyParts<dim>& parts, const MortarPair<dim>& pair);
 
 }  // namespace gnomon::part

@@ -131,18 +131,6 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
   return outward.norm() > 0 ? Vector<dim>(-outward.normalized()) : Vector<dim>::Unit(dim - 1);
 }
 
-/// Mean tangential speed over the slave, and over a cycle.
-template <int dim>
-double speed_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& parts) {
-  double sum = 0, area = 0;
-  const std::vector<RigidMotion<dim>> motions = motions_over_cycle(parts, pair);
-  for (const auto& patch : contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section())) {
-    sum += patch.initial_area * mean_sliding_speed(motions, patch);
-    area += patch.initial_area;
-  }
-  return area > 0 ? sum / area : 0;
-}
-
 /// A body that moves, or what is bonded to it, slides on another one.
 template <int dim>
 void require_moving_pairs(const Scene& scene, const AssemblyParts<dim>& parts) {
@@ -291,15 +279,17 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   parts.interface.speed = scene.real_if("wear.velocity");
   read_phases_of_pairs(scene, parts);
   if (parts.interface.sticks && !parts.cycle) let_roll(scene, parts);
-  double speed = 0;
+  std::vector<double> speeds;
   for (const MortarPair<dim>& pair : parts.pairs) {
-    const double own = speed_of(pair, parts);
+    speeds.push_back(mean_sliding_speed(parts, pair));
     if (!parts.interface.sticks && !parts.interface.rolling)
-      for (std::string& remark : remarks_on_sliding(pair, own))
+      for (std::string& remark : remarks_on_sliding(pair, speeds.back()))
         parts.remarks.push_back(std::move(remark));
-    speed = std::max(speed, own);
   }
-  if (!parts.interface.speed) parts.interface.speed = speed;
+  if (parts.interface.speed) return;
+  parts.interface.speed = *std::ranges::max_element(speeds);
+  for (std::size_t k = 0; k < speeds.size() && *parts.interface.speed > 0; ++k)
+    parts.pairs[k].slides = speeds[k] / *parts.interface.speed;
 }
 
 template void read_pairs(const Scene&, const ImportedBody<2>&, AssemblyParts<2>&);

@@ -80,7 +80,8 @@ void append(std::vector<std::string>& remarks, const std::vector<std::string>& m
 template <int dim>
 void read_laws_again(const Scene& scene, AssemblyParts<dim>& parts) {
   for (Surface<dim>& surface : parts.interface.surfaces)
-    if (surface.wears) surface.wear = read_surface_law(scene, surface.name, *parts.interface.speed);
+    if (surface.wears)
+      surface.wear = read_surface_law(scene, surface.name, parts.nominal_speed(surface));
   parts.interface.friction_factor = read_friction_factor(scene, parts);
 }
 

@@ -74,10 +74,11 @@ void require_surface_names(const Scene& scene) {
 
 template <int dim>
 void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts) {
-  const WearCircumstances at = wear_circumstances(parts);
+  WearCircumstances at = wear_circumstances(parts);
   std::vector<std::string> common;  // remarks on wear.rate, once
   for (Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.wears) continue;
+    at.speed = parts.nominal_speed(surface);
     std::vector<std::string> remarks;
     const std::string key = rate_key(scene, surface.name);
     // That it does not wear is no doubt where its coefficient is zero.

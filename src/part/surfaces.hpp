@@ -13,7 +13,7 @@ namespace gnomon::part {
 template <int dim>
 std::vector<Surface<dim>> wearing_surfaces(const Scene& scene, const ImportedBody<dim>& part);
 
-/// The law of a surface at a nominal speed: its own, or wear.rate. Throws InputError.
+/// The law of a surface at its nominal speed: its own, or wear.rate. Throws InputError.
 WearLaw read_surface_law(const Scene& scene, const std::string& surface, double speed);
 
 /// Throws InputError for a law of a surface that does not wear.

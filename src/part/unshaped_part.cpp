@@ -167,7 +167,7 @@ AssemblyParts<dim> read_unshaped_part(const Scene& scene, const ImportedBody<dim
     require_surface_names(scene);
     for (Surface<dim>& surface : parts.interface.surfaces)
       if (surface.wears) {
-        surface.wear = read_surface_law(scene, surface.name, *parts.interface.speed);
+        surface.wear = read_surface_law(scene, surface.name, parts.nominal_speed(surface));
         surface.track = read_track(scene, surface, parts);
       }
   }

@@ -36,7 +36,7 @@ template <int dim>
 StickingParameters MortarTerm<dim>::sticking_parameters(const Evaluation<dim>& at,
                                                         const Side& side) const {
   const MortarPath<dim>& path = *state_.path;
-  const auto factor = path.factor.at(path.factor.varies() ? depth(at, side) : 0, moment(at),
+  const auto factor = path.factor.at(path.factor.varies() ? depth(at, side) : 0, moment(at, side),
                                      initial_position_of<dim>(patch(side)));
   return {.friction = pair(side).friction * factor.value,
           .friction_by_depth = pair(side).friction * factor.by_depth,

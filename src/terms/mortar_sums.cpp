@@ -76,8 +76,9 @@ double MortarTerm<dim>::depth(const Evaluation<dim>& at, const Side& side) const
 }
 
 template <int dim>
-WearMoment MortarTerm<dim>::moment(const Evaluation<dim>& at) const {
-  return {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within};
+WearMoment MortarTerm<dim>::moment(const Evaluation<dim>& at, const Side& side) const {
+  return {
+      .time = at.t, .slid = pair(side).slides * state_.nominal_speed * at.t, .within = at.within};
 }
 
 /// What a slave node presses with, and whether it slides.
@@ -135,7 +136,7 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
   const double friction = pair(side).friction, speed = state.speed();
   const double p = state.pressure();
   state.rate = law(side).rate(
-      wear_input(own, Vector<4>(p, speed, depth(at, side), friction * p * speed), moment(at)),
+      wear_input(own, Vector<4>(p, speed, depth(at, side), friction * p * speed), moment(at, side)),
       law_branch(at, side));
   const double share = state_.path ? state_.path->share : 1;
   for (double* of : {&state.rate.value, &state.rate.by_pressure, &state.rate.by_speed,
@@ -194,7 +195,7 @@ void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> val
     const double p = state.pressure(), v = state.speed();
     law(side).switching(
         wear_input(patch(side), Vector<4>(p, v, depth(at, side), pair(side).friction * p * v),
-                   moment(at)),
+                   moment(at, side)),
         own.subspan(contact_switches(side)), law_branch(at, side));
   }
 }
@@ -240,7 +241,7 @@ template Vector<2> MortarTerm<2>::undeformed(const Evaluation<2>&, int) const;
 template std::pair<FacetPair<2>, std::vector<FacetNodal<2>>> MortarTerm<2>::places_of(
     const SlaveFacet&, const Evaluation<2>&, const Surfaces&) const;
 template double MortarTerm<2>::depth(const Evaluation<2>&, const Side&) const;
-template WearMoment MortarTerm<2>::moment(const Evaluation<2>&) const;
+template WearMoment MortarTerm<2>::moment(const Evaluation<2>&, const Side&) const;
 template MortarTerm<2>::Surfaces MortarTerm<2>::surfaces(const Evaluation<2>&) const;
 template void MortarTerm<2>::switching(const Evaluation<2>&, std::span<double>) const;
 template std::vector<ContactNode<2>> MortarTerm<2>::nodes(const Evaluation<2>&) const;
@@ -248,7 +249,7 @@ template Vector<3> MortarTerm<3>::undeformed(const Evaluation<3>&, int) const;
 template std::pair<FacetPair<3>, std::vector<FacetNodal<3>>> MortarTerm<3>::places_of(
     const SlaveFacet&, const Evaluation<3>&, const Surfaces&) const;
 template double MortarTerm<3>::depth(const Evaluation<3>&, const Side&) const;
-template WearMoment MortarTerm<3>::moment(const Evaluation<3>&) const;
+template WearMoment MortarTerm<3>::moment(const Evaluation<3>&, const Side&) const;
 template MortarTerm<3>::Surfaces MortarTerm<3>::surfaces(const Evaluation<3>&) const;
 template void MortarTerm<3>::switching(const Evaluation<3>&, std::span<double>) const;
 template std::vector<ContactNode<3>> MortarTerm<3>::nodes(const Evaluation<3>&) const;

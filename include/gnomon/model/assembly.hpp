@@ -214,6 +214,8 @@ struct AssemblyParts {
       return phase.counter_body.motion.nominal_speed(interface.streaming);
     });
   }
+  /// The same of a surface: that of the first of the pairs that touch it.
+  double nominal_speed(const Surface<dim>& surface) const;
 };
 
 /// Parts that fit together, and what follows from them.

@@ -24,6 +24,7 @@ struct MortarPair {
   /// Of the slave's and of the master's material about fixed points, in the steady motion.
   std::array<Tensor<dim>, 2> spins = {Tensor<dim>::Zero(), Tensor<dim>::Zero()};
   double friction = 0;
+  double slides = 1;                    ///< its sliding distance, by that of all (nominal_speed())
   double reach = 0;                     ///< facets that are farther apart do not meet [length]
   std::array<std::string, 2> bodies{};  ///< names of the slave and of the master
   std::array<int, 2> numbers{};         ///< of them among the bodies

@@ -156,7 +156,7 @@ private:
   void add_side(const Side& side, const SideState& state, std::span<double> values) const;
   void declare_path(const Side& side, PatternBuilder& pattern) const;
   double depth(const Evaluation<dim>& at, const Side& side) const;
-  WearMoment moment(const Evaluation<dim>& at) const;
+  WearMoment moment(const Evaluation<dim>& at, const Side& side) const;
   void find_sticking(const Evaluation<dim>& at, const Side& side, SideState& state) const;
   StickingParameters sticking_parameters(const Evaluation<dim>& at, const Side& side) const;
   StickingInput<dim> sticking_input(const Evaluation<dim>& at, const Side& side,
