@@ -13,7 +13,7 @@ def _require_scene(scene):
 
 def budget(scene):
     """How wrong the result of a scene is, and by what, from further runs of it, as `gnomon budget --json` prints it:
-    `values` with their relative `error`, and the `parts` of it. Runs the scene, and takes two to three times as long.
+    `values` with their relative `error`, and the `parts` of it. Runs the scene, and takes some three to five times as long.
 
     >>> import gnomon
     >>> scene = gnomon.Scene.example("pin_on_flat/small_deformation.toml",

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -115,7 +116,9 @@ ImportedMesh read(const std::string& file, double size, double factor, const std
     for (std::string& sentence : script.absent_members()) mesh.remarks.push_back(tidy(sentence));
   }
   copy_model(mesh, geometry);
-  if (file.ends_with(".geo") && mesh.has_sizes && factor != 1 && !changes_curves(file))
+  constexpr double rounding = 1e-9;  // of factors that a plan has multiplied
+  const bool is_scaled = std::abs(factor - 1) > rounding;
+  if (file.ends_with(".geo") && mesh.has_sizes && is_scaled && !changes_curves(file))
     mesh.remarks.push_back(
         "its factor changes the number of elements on no curve: the script gives these numbers "
         "(Transfinite)");
