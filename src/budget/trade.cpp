@@ -53,7 +53,11 @@ void learn_mesh(const Trial& coarse, const Trial& fine, double factor,
   std::vector<double> errors = mesh_differences(coarse.goals, fine.goals);
   for (double& error : errors) error /= std::exp2(usual_order) - 1;
   respect_area(fine.goals, errors);
-  trade.mesh = std::max(largest(errors, places) / std::pow(factor, usual_order), 0.5 * trade.mesh);
+  // A difference may be small by chance, and that of a mesh that is too coarse is beyond all
+  // bounds.
+  constexpr double chance = 3, most_gain = 0.5;
+  const double error = largest(errors, places) / std::pow(factor, usual_order);
+  trade.mesh = std::clamp(most_gain * trade.mesh, error, chance * error);
   trade.cost_mesh = std::max({cost_of_nodes * nodes_added(coarse.goals, fine.goals),
                               std::log2(fine.work / coarse.work), least_cost});
   trade.seconds = fine.cpu_seconds * std::pow(factor, trade.cost_mesh);
