@@ -78,6 +78,10 @@ void add_edges(const Grid& grid, const std::vector<std::vector<std::size_t>>& ne
   }
 }
 
+bool is_of_friction(const std::string& value) {
+  return value == "friction_work" || value == "friction_power" || value.starts_with("creepage_");
+}
+
 /// Whether bodies meet each other.
 bool several_touch(const Goals& goals) {
   std::set<int> bodies;
@@ -127,6 +131,8 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
       {"inner_pressure", "MPa", inner_norm(goals.surface.pressure, goals.inner)});
   add("max_pressure");
   add("approach");
+  for (const Scalar& scalar : observed)
+    if (is_of_friction(scalar.name) && scalar.value != 0) goals.values.push_back(scalar);
   return goals;
 }
 

@@ -238,5 +238,14 @@ TEST(QuickBudget, OfASmallRunHasItsTimeErrorOnItsOwnMesh) {
   }
 }
 
+// What rolling is computed for; a creepage of zero has no relative error.
+TEST(Budget, TellsOfCreepageAndPower) {
+  const auto run = budget::try_scene(checked_scene(shipped("worn_body/rolling.toml"), {}),
+                                     [](double) { return false; });
+  EXPECT_GT(value_of(run.goals.values, "creepage_x").value_or(0), 1e-3);
+  EXPECT_GT(value_of(run.goals.values, "friction_power").value_or(0), 100);
+  EXPECT_FALSE(value_of(run.goals.values, "creepage_y"));
+}
+
 }  // namespace
 }  // namespace gnomon::budget_test
