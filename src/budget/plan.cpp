@@ -6,8 +6,8 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/budget/plan.hpp>
 
-#include "budget/companions.hpp"
 #include "budget/extrapolation.hpp"
+#include "budget/pilots.hpp"
 #include "budget/trade.hpp"
 #include "budget/wanted.hpp"
 
@@ -20,32 +20,22 @@ using namespace budget;
 class Planner {
 public:
   Planner(const Scene& scene, const BudgetHooks& hooks)
-      : companions_(budget_, hooks),
-        asked_(scene),
-        scene_(scene.without("accuracy.within").without("accuracy.of")),
-        within_(read_within(scene)) {
-    for (const Key& key : scene.controlling_keys()) {
-      const bool is_choice = !key.controls->judges_only && key.controls->scaled(scene, 2);
-      if (key.controls->source == ErrorSource::mesh && is_choice) mesh_ = key;
-      if (key.controls->source == ErrorSource::time && key.controls->scaled(scene, 0.1))
-        time_ = key;
-    }
-    for (const bool mesh : {false, true})  // elements by where bodies touch in the chosen phases
-      for (const Key& key : scene.controlling_keys())
-        if (key.controls->chosen && (key.controls->source == ErrorSource::mesh) == mesh)
-          choose(key);
-    trade_.free_time = time_ && !scene.is_set(time_->name);
-    trade_.free_mesh = mesh_ && !scene.is_set(mesh_->name);
+      : asked_(scene), within_(read_within(scene)), pilots_(scene, budget_, hooks, remarks_) {
+    trade_.free_time = pilots_.time && !scene.is_set(pilots_.time->name);
+    trade_.free_mesh = pilots_.mesh && !scene.is_set(pilots_.mesh->name);
   }
 
   Plan operator()() {
-    find_coarse_mesh();
+    if (trade_.free_time) pilot_.time = time_of_pilots;
+    coarse_ = pilots_.coarsest(pilot_);
+    places_ = wanted_places(asked_, coarse_->goals.values);
     for (const Key& key : asked_.controlling_keys())
       if (key.controls->source == ErrorSource::model) try_simpler(key);
     if (!attempt("mesh", [&] { measure_mesh(); })) trade_.free_mesh = false;
     if (!attempt("time", [&] { measure_time(); })) trade_.free_time = false;
     attempt("phases", [&] { measure_phases(); });
-    Plan plan{.scene = with(cheapest(trade_, within_)), .lines = {}, .known = {}, .remarks = {}};
+    Plan plan{
+        .scene = pilots_.with(cheapest(trade_, within_)), .lines = {}, .known = {}, .remarks = {}};
     for (const double part : {2.0, 1.0, 0.5, 0.25}) plan.lines.push_back(line_for(part * within_));
     plan.pilot_seconds = budget_.companion_seconds;
     plan.known = std::move(known_);
@@ -64,70 +54,17 @@ private:
     return !failure;
   }
 
-  void choose(const Key& key) {
-    const auto failure =
-        failure_of([&] { scene_ = key.controls->chosen(scene_).value_or(scene_); });
-    if (failure) remarks_.push_back(fmt::format("{} stays as it is: {}", key.name, *failure));
-  }
-
-  Scene with(Factors factors) const {
-    Scene scene = scene_;
-    if (mesh_ && factors.mesh != 1)
-      scene = mesh_->controls->scaled(scene, factors.mesh).value_or(scene);
-    if (time_ && factors.time != 1)
-      scene = time_->controls->scaled(scene, factors.time).value_or(scene);
-    return scene;
-  }
-
-  Trial pilot(Factors factors, const std::string& what) {
-    return companions_.run(with(factors), what);
-  }
-
-  /// The coarsest of some meshes on which contact has so many nodes that differences mean
-  /// something. The tolerance is that of pilots.
-  void find_coarse_mesh() {
-    if (trade_.free_time) pilot_.time = time_of_pilots;
-    std::string failure;
-    for (const double factor : {8.0, 4.0, 2.0, 1.0, 0.5}) {
-      if (!scales(factor)) continue;
-      try {
-        const Factors factors{factor, pilot_.time};
-        coarse_ = pilot(factors, fmt::format("a pilot on {} times as large elements", factor));
-        pilot_ = factors;
-        if (!mesh_ || has_enough_contact(coarse_->goals)) break;
-      } catch (const Interrupted&) {
-        throw;
-      } catch (const SolutionError& error) {
-        failure = error.what();
-      } catch (const InputError& error) {
-        if (factor == 1 || !mesh_) throw;
-        failure = error.what();
-      }
-    }
-    if (!coarse_) throw SolutionError("no pilot run succeeds: " + failure);
-    places_ = wanted_places(asked_, coarse_->goals.values);
-  }
-
-  /// Whether there is a mesh of elements `factor` times as large.
-  bool scales(double factor) const {
-    return factor == 1 || (mesh_ && mesh_->controls->scaled(scene_, factor));
-  }
-
-  static bool has_enough_contact(const Goals& goals) {
-    return touching_nodes(goals) >= (goals.surface.dim == 2 ? 7 : 12);
-  }
-
   /// Goes on with the simpler of two models, where the scene does not give one and the error is a
   /// small part of what may be. One that is given is judged.
   void try_simpler(const Key& key) {
     const bool given = asked_.is_set(key.name);
-    const auto other = key.controls->scaled(scene_, given ? 0.5 : 2);
+    const auto other = key.controls->scaled(pilots_.scene, given ? 0.5 : 2);
     if (!other) return;
-    const Scene own = scene_;
+    const Scene own = pilots_.scene;
     const std::string how = change_text(own, *other);
     const auto failure = failure_of([&] {
-      scene_ = *other;
-      Trial trial = pilot(pilot_, how);
+      pilots_.scene = *other;
+      Trial trial = pilots_.run(pilot_, how);
       std::vector<double> errors = differences(coarse_->goals, trial.goals);
       bool goes_on = !given && is_small(errors);
       if (!given && !goes_on && pilot_.mesh > 1) {
@@ -139,9 +76,9 @@ private:
       if (goes_on)
         coarse_ = std::move(trial);
       else
-        scene_ = own;
+        pilots_.scene = own;
     });
-    if (failure) scene_ = own;  // the model does not suit the scene
+    if (failure) pilots_.scene = own;  // the model does not suit the scene
   }
 
   bool is_small(const std::vector<double>& errors) const {
@@ -153,10 +90,10 @@ private:
   std::vector<double> differences_on_finer(const Scene& own, const Scene& other,
                                            const std::string& how) {
     const Factors finer{pilot_.mesh / 2, pilot_.time};
-    scene_ = own;
-    const Trial base = pilot(finer, "a pilot on elements of half this size");
-    scene_ = other;
-    return differences(base.goals, pilot(finer, how).goals);
+    pilots_.scene = own;
+    const Trial base = pilots_.run(finer, "a pilot on elements of half this size");
+    pilots_.scene = other;
+    return differences(base.goals, pilots_.run(finer, how).goals);
   }
 
   /// A part of the error that stays, known from a pilot run.
@@ -170,12 +107,12 @@ private:
   void measure_mesh() {
     trade_.seconds = coarse_->cpu_seconds;
     trade_.coarsest = pilot_.mesh;
-    if (!mesh_ || !scales(pilot_.mesh / 2)) return judge_mesh();
+    if (!pilots_.mesh || !pilots_.scales(pilot_.mesh / 2)) return judge_mesh();
     const Factors finer{pilot_.mesh / 2, pilot_.time};
     std::optional<Trial> finer_trial;
     try {
-      finer_trial =
-          companions_.run(with(finer), "a pilot on elements of half this size", &coarse_->goals);
+      finer_trial = pilots_.run(pilots_.with(finer), "a pilot on elements of half this size",
+                                &coarse_->goals);
     } catch (const MeshUnchanged&) {
       if (pilot_.mesh > 1) {  // the geometry makes them as large; others may be smaller
         pilot_ = finer;
@@ -201,7 +138,7 @@ private:
     while (trade_.free_mesh && 4 * cheapest(trade_, within_).mesh <= factor) {
       factor /= 2;
       const auto failure = failure_of([&] {
-        Trial next = pilot({factor, pilot_.time}, "a pilot on elements of half this size");
+        Trial next = pilots_.run({factor, pilot_.time}, "a pilot on elements of half this size");
         learn_mesh(last, next, factor, places_, trade_);
         last = std::move(next);
       });
@@ -222,8 +159,8 @@ private:
   }
 
   void judge_mesh_by(const Key& key) {
-    const Scene base = with(pilot_), half = *key.controls->scaled(base, 0.5);
-    const Trial fine = companions_.run(half, "a pilot on a finer mesh", &coarse_->goals);
+    const Scene base = pilots_.with(pilot_), half = *key.controls->scaled(base, 0.5);
+    const Trial fine = pilots_.run(half, "a pilot on a finer mesh", &coarse_->goals);
     BudgetPart part{.source = ErrorSource::mesh,
                     .key = key.name,
                     .how = change_text(base, half),
@@ -236,9 +173,9 @@ private:
   }
 
   void measure_time() {
-    if (!time_) return;
+    if (!pilots_.time) return;
     const Trial finer =
-        pilot({pilot_.mesh, pilot_.time / 10}, "a pilot with a tenth of the tolerance");
+        pilots_.run({pilot_.mesh, pilot_.time / 10}, "a pilot with a tenth of the tolerance");
     const double difference = largest(differences(coarse_->goals, finer.goals), places_);
     trade_.time = difference * Finer(ErrorSource::time).part_of_coarser / pilot_.time;
     trade_.cost_time = std::clamp(std::log10(finer.work / coarse_->work), 0.05, 1.0);
@@ -248,12 +185,12 @@ private:
   /// Those that the scene gives stay, with what they are wrong by; otherwise there are so many that
   /// this is a small part of what may be.
   void measure_phases() {
-    for (const Key& key : scene_.controlling_keys()) {
+    for (const Key& key : pilots_.scene.controlling_keys()) {
       if (key.controls->source != ErrorSource::phases) continue;
       const Finer finer(ErrorSource::phases);
-      const auto scene = key.controls->scaled(with(pilot_), finer.factor);
+      const auto scene = key.controls->scaled(pilots_.with(pilot_), finer.factor);
       if (!scene) continue;
-      const Trial trial = companions_.run(*scene, "a pilot with more phases");
+      const Trial trial = pilots_.run(*scene, "a pilot with more phases");
       double error = largest(differences(coarse_->goals, trial.goals),
                              without_ends(places_, coarse_->goals.values)) *
                      finer.part_of_coarser;
@@ -272,7 +209,7 @@ private:
     constexpr double least = 1.0 / 16;
     double factor = 1;
     while (factor > least && factor * factor * error > small_part * within_) factor /= 2;
-    scene_ = key.controls->scaled(scene_, factor).value_or(scene_);
+    pilots_.scene = key.controls->scaled(pilots_.scene, factor).value_or(pilots_.scene);
     trade_.seconds /= factor;
     return factor * factor;
   }
@@ -281,7 +218,7 @@ private:
     const Factors factors = cheapest(trade_, within);
     PlanLine line = predicted(trade_, factors);
     line.within = within;
-    line.settings = change_text(asked_.without("accuracy.of"), with(factors));
+    line.settings = change_text(asked_.without("accuracy.of"), pilots_.with(factors));
     return line;
   }
 
@@ -289,11 +226,11 @@ private:
   void remark_on_given(Plan& plan) const {
     Trade all = trade_;
     all.free_mesh = trade_.mesh > 0;
-    all.free_time = time_.has_value();
+    all.free_time = pilots_.time.has_value();
     const double seconds = predicted(all, cheapest(all, within_)).cpu_seconds;
     std::vector<std::string> given;
-    if (all.free_mesh && !trade_.free_mesh) given.push_back(mesh_->name);
-    if (all.free_time && !trade_.free_time) given.push_back(time_->name);
+    if (all.free_mesh && !trade_.free_mesh) given.push_back(pilots_.mesh->name);
+    if (all.free_time && !trade_.free_time) given.push_back(pilots_.time->name);
     if (!given.empty())
       plan.remarks.push_back(fmt::format(
           "{} {} given: the run takes about {:.2g} s of CPU, with the plan's own choice "
@@ -305,18 +242,16 @@ private:
   static constexpr double small_part = 0.25;    ///< of what may be, of models and phases
   static constexpr double time_of_pilots = 10;  ///< times the default of the tolerance
 
-  Budget budget_;
-  Companions companions_;
   const Scene& asked_;
-  Scene scene_;  ///< with the chosen models
   double within_;
-  std::optional<Key> mesh_{}, time_{};
+  Budget budget_;
+  std::vector<std::string> remarks_;
+  Pilots pilots_;
   Factors pilot_;
   std::optional<Trial> coarse_{};
   std::vector<std::size_t> places_;
   Trade trade_;
   std::vector<BudgetPart> known_;
-  std::vector<std::string> remarks_;
 };
 
 }  // namespace
