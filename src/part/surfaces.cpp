@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/joining_boundary.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/scene/toml_key.hpp>
 #include <limits>
@@ -72,10 +73,30 @@ void require_surface_names(const Scene& scene) {
                                      fmt::join(surfaces, "\", \""), name));
 }
 
+namespace {
+
+/// Where a law reads s and the motion gives its speed.
+template <int dim>
+std::string remark_on_distance(const Scene& scene, const AssemblyParts<dim>& parts) {
+  if (!reads_in_rates(scene, "s") || scene.given("wear.velocity")) return {};
+  std::vector<std::string> speeds;
+  for (const Surface<dim>& surface : parts.interface.surfaces)
+    if (surface.wears)
+      speeds.push_back(
+          fmt::format("{:.4g} mm/s on \"{}\"", parts.nominal_speed(surface), surface.name));
+  return fmt::format(
+      "the sliding distance s is counted with {} (wear.velocity gives another speed)",
+      fmt::join(speeds, ", "));
+}
+
+}  // namespace
+
 template <int dim>
 void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts) {
   WearCircumstances at = wear_circumstances(parts);
   std::vector<std::string> common;  // remarks on wear.rate, once
+  if (std::string remark = remark_on_distance(scene, parts); !remark.empty())
+    parts.remarks.push_back(std::move(remark));
   for (Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.wears) continue;
     at.speed = parts.nominal_speed(surface);

@@ -65,6 +65,8 @@ TEST_F(SlidingDistance, IsOfTheSpeedWhereAPairTouches) {
   const auto model = this->model(std::string(text) +
                                  "velocity = [20.0, 0.0]\n"
                                  "[[motion]]\nbody = \"flat\"\nvelocity = [100.0, 0.0]\n");
+  EXPECT_THAT(model->remarks,
+              ::testing::Contains(::testing::HasSubstr("20 mm/s on \"face\", 100 mm/s on ")));
   const State end = run_model(*model, "esdirk-3", 0, 1e-5, 3000).last();
   const double s0 = 1e5;
   EXPECT_NEAR(observed(*model, end, "worn_volume_block") / (1e-7 * 8 * s0 * -std::expm1(-0.6)), 1,
