@@ -1,0 +1,50 @@
+// Steady rolling under forces along the surface: what depth is expected, and where friction ends.
+#include <gnomon/checks/checks.hpp>
+#include <gnomon/run/run.hpp>
+
+#include "stick/rolling_scenes.hpp"
+
+namespace gnomon::rolling_limits_test {
+namespace {
+
+using namespace testing;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr const char* coarse = "mesh.file=coarse.geo";
+
+/// As a run ends by the settings of error control.
+RunOutcome ended(const Model& model) {
+  return run(model, Integrators::find("esdirk-3", "integrator"),
+             controlled_settings(model, 1e-3, 1000), {}, nullptr, {});
+}
+
+std::string force_of_cap(double part) {
+  return fmt::format("motion.1.force={:.17g}", part * 0.3 * Mindlin::P);
+}
+
+/// Tolerances are a part of the depth that is expected: about that which comes.
+void expect_fit(const Model& model, const std::string& scene) {
+  const RunOutcome end = ended(model);
+  ASSERT_EQ(end.status, RunOutcome::Status::finished) << end.diagnosis;
+  const double depth = value_of(end.last->scalars, "wear_depth").value();
+  std::printf("%s: %.3g of the depth is expected\n", scene.c_str(),
+              model.differential_scale / depth);
+  EXPECT_LT(model.differential_scale / depth, 2) << scene;
+  EXPECT_GT(model.differential_scale / depth, 0.5) << scene;
+}
+
+TEST_F(RollingScenes, TheDepthIsExpectedThatForcesWear) {
+  for (const double part : {0.4, 0.6, 0.9})
+    expect_fit(*model(cylinder(), {coarse, fmt::format("counter_body.press.2.force={:.17g}",
+                                                       part * Carter::f * Carter::P)}),
+               fmt::format("{} f P", part));
+}
+
+TEST_F(PairRolling, TheDepthIsExpectedThatForcesWear) {
+  for (const double part : {0.4, 0.6, 0.9})
+    expect_fit(*model(rolling_cap(1000), {force_of_cap(part)}), fmt::format("{} f P", part));
+}
+
+}  // namespace
+}  // namespace gnomon::rolling_limits_test
