@@ -2,36 +2,136 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
+#include "model/connected_parts.hpp"
 #include "model/resultants.hpp"
+#include "part/changing_friction.hpp"
 #include "part/histories.hpp"
+#include "part/pair_keys.hpp"
 
 namespace gnomon::part {
 
 namespace {
 
-/// What presses the free counter-body at a time, on the straight lines of histories that are valid
-/// after `within`: across the surface, and along it [force].
+/// Whether supports or springs hold some nodes along a direction.
 template <int dim>
-std::pair<double, double> forces_at(const AssemblyParts<dim>& parts, const Phase<dim>& phase,
-                                    double t, double within) {
-  const Vector<dim> sum = pressing_force(phase, parts.interface.history, t, within);
-  const Vector<dim>& approach = parts.interface.partner.approach;
-  return {sum.dot(approach), (sum - sum.dot(approach) * approach).norm()};
+bool are_held(const AssemblyParts<dim>& parts, const std::vector<char>& own,
+              const Vector<dim>& direction) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t node = 0; node < own.size(); ++node)
+    for (int i = 0; own[node] && i < dim; ++i)
+      if (parts.supports.held(static_cast<Eigen::Index>(node), i) &&
+          std::abs(direction[i]) > rounding)
+        return true;
+  return std::ranges::any_of(parts.supports.springs, [&](const SpringSupport<dim>& springs) {
+    return springs.stiffness.dot(direction.cwiseAbs()) > 0 &&
+           std::ranges::any_of(springs.facets, [&](const auto& facet) {
+             return std::ranges::any_of(
+                 facet, [&](int node) { return own[static_cast<std::size_t>(node)] != 0; });
+           });
+  });
 }
 
-/// When they are first more than friction holds between two times with straight histories.
+/// By load: with what it presses two bodies on each other at factor one, where nothing else holds
+/// one of them along the approach; else nothing [force].
 template <int dim>
-std::optional<double> first_excess(const AssemblyParts<dim>& parts, const Phase<dim>& phase,
+std::optional<std::vector<double>> pressing_loads(const AssemblyParts<dim>& parts) {
+  const MortarPair<dim>& pair = parts.pairs.front();
+  const std::vector<int> part = connected_parts(parts.mesh, parts.bodies),
+                         body_of = body_of_nodes(
+                             parts.mesh, body_of_cells(parts.bodies, parts.mesh.cells.size()));
+  const auto part_of = [&](int body) { return part[static_cast<std::size_t>(body)]; };
+  if (parts.pairs.size() > 1 || part_of(pair.numbers[0]) == part_of(pair.numbers[1])) return {};
+  for (const std::size_t side : {0, 1}) {
+    std::vector<char> own;
+    for (const int body : body_of) own.push_back(part_of(body) == part_of(pair.numbers[side]));
+    if (are_held(parts, own, pair.approach)) continue;
+    std::vector<double> presses;
+    for (const Load<dim>& load : parts.loads) {
+      const NodalField<dim> forces = forces_of(load, parts);
+      Vector<dim> sum = Vector<dim>::Zero();
+      for (Eigen::Index node = 0; node < forces.rows(); ++node)
+        if (own[static_cast<std::size_t>(node)]) sum += forces.row(node).transpose();
+      presses.push_back((side == 0 ? -1 : 1) * sum.dot(pair.approach));
+    }
+    return presses;
+  }
+  return {};
+}
+
+/// The forces between bodies over a run, as far as a scene tells them.
+template <int dim>
+class KnownForces {
+public:
+  explicit KnownForces(const AssemblyParts<dim>& parts) : parts_(parts) {
+    if (!parts.pairs.empty() && parts.interface.rolling) presses_ = pressing_loads(parts);
+  }
+
+  bool are_known(const Phase<dim>& phase) const {
+    return parts_.pairs.empty() ? phase.force.has_value() : presses_.has_value();
+  }
+
+  /// Across the surface, and along it, on the straight lines of histories that are valid after
+  /// `within`.
+  std::pair<double, double> at(const Phase<dim>& phase, double t, double within) const {
+    if (presses_) {
+      double across = 0;
+      for (std::size_t k = 0; k < presses_->size(); ++k)
+        across += (*presses_)[k] * parts_.loads[k].history.factor(t, within);
+      Vector<dim> along = Vector<dim>::Zero();
+      for (int i = 0; i < dim; ++i) along[i] = parts_.interface.rolling->force[i].value_or(0);
+      return {across, along.norm()};
+    }
+    const Vector<dim> sum = pressing_force(phase, parts_.interface.history, t, within);
+    const Vector<dim>& approach = parts_.interface.partner.approach;
+    const Vector<dim> along = sum - sum.dot(approach) * approach;
+    return {sum.dot(approach), along.norm()};
+  }
+
+  /// The coefficient; a factor is one of time alone.
+  double friction(double t, double within) const {
+    const Interface<dim>& interface = parts_.interface;
+    const WearMoment moment{.time = t, .slid = 0, .within = within};
+    return interface.friction * interface.friction_factor.at(0, moment, {}).value;
+  }
+
+  /// Between which friction and forces have no kinks.
+  std::set<double> times(double duration) const {
+    std::set<double> all = {0, duration};
+    const auto add = [&](const std::vector<double>& times) {
+      for (const double t : times)
+        if (t > 0 && t < duration) all.insert(t);
+    };
+    add(parts_.interface.history.times());
+    for (const Guide<dim>& guide : parts_.interface.partner.guides) add(guide.factors.times());
+    for (const Load<dim>& load : parts_.loads) add(load.history.times());
+    add(parts_.interface.friction_factor.breakpoints());
+    constexpr int parts = 64;  // of a factor that is no straight line
+    for (int k = 1; parts_.interface.friction_factor.varies() && k < parts; ++k)
+      all.insert(duration * k / parts);
+    return all;
+  }
+
+private:
+  const AssemblyParts<dim>& parts_;
+  std::optional<std::vector<double>> presses_;
+};
+
+/// When forces along the surface are first more than friction holds between two times().
+template <int dim>
+std::optional<double> first_excess(const KnownForces<dim>& forces, const Phase<dim>& phase,
                                    double from, double to) {
   constexpr int halvings = 30;
   const auto is_more = [&](double t) {
-    const auto [across, along] = forces_at(parts, phase, t, from);
-    return along > 0 && along > parts.interface.friction * across;
+    const auto [across, along] = forces.at(phase, t, from);
+    return along > 0 && along > forces.friction(t, from) * across;
   };
   if (is_more(from)) return from;
   if (!is_more(to)) return {};
@@ -43,40 +143,43 @@ std::optional<double> first_excess(const AssemblyParts<dim>& parts, const Phase<
   return first;
 }
 
-/// What presses the counter-body along the surface more than friction holds, first in a run.
+/// A force along the surface that is more than friction holds, first in a run.
 struct Excess {
   double t, tau;  ///< [time], position in the cycle
-  double force;
+  double force, holds;
 };
 
+/// Of friction that changes with time alone, if at all.
 template <int dim>
 std::optional<Excess> excess_of_friction(const AssemblyParts<dim>& parts, double duration) {
   const std::vector<Phase<dim>> phases = parts.instants();
-  if (!parts.pairs.empty() || parts.interface.friction_factor.varies() || !phases.front().force)
-    return {};
-  std::set<double> times = {0, duration};
-  const auto add = [&](const LoadHistory& history) {
-    for (const double t : history.times())
-      if (t > 0 && t < duration) times.insert(t);
-  };
-  add(parts.interface.history);
-  for (const Guide<dim>& guide : parts.interface.partner.guides) add(guide.factors);
+  const KnownForces<dim> forces(parts);
+  if (!forces.are_known(phases.front())) return {};
+  const std::set<double> times = forces.times(duration);
   for (auto from = times.begin(), to = std::next(from); to != times.end(); ++from, ++to) {
     std::optional<double> first;
     const Phase<dim>* where = nullptr;
     for (const Phase<dim>& phase : phases)
-      if (const auto t = first_excess(parts, phase, *from, *to); t && !(first && *first <= *t))
+      if (const auto t = first_excess(forces, phase, *from, *to); t && !(first && *first <= *t))
         first = t, where = &phase;
-    if (first)
-      return Excess{*first, where->position, forces_at(parts, *where, *first, *from).second};
+    if (!first) continue;
+    const auto [across, along] = forces.at(*where, *first, *from);
+    return Excess{*first, where->position, along, forces.friction(*first, *from) * across};
   }
   return {};
+}
+
+std::string key_of_friction(const Scene& scene) {
+  for (const std::string& table : pair_tables(scene))
+    if (const std::string key = table + ".friction"; scene.given(key)) return key;
+  return "friction.coefficient";
 }
 
 }  // namespace
 
 template <int dim>
 std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration) {
+  if (parts.interface.friction_factor.varies()) return "";
   const auto first = excess_of_friction(parts, duration);
   if (!first) return "";
   return fmt::format(
@@ -88,11 +191,13 @@ std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration)
 template <int dim>
 void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (dim == 3 || scene.given("time.until")) return;  // the run may end before
+  for (const char* name : {"h", "s", "x0", "y0", "z0"})
+    if (reads_in_friction(scene, name)) return;  // known in the run alone
   if (const auto first = excess_of_friction(parts, scene.real("time.end")))
-    refuse(scene, "friction.coefficient",
+    refuse(scene, key_of_friction(scene),
            fmt::format("a larger coefficient: from t = {:.4g} s on the force along the surface, "
-                       "{:.4g}, is more than friction holds",
-                       first->t, first->force));
+                       "{:.4g}, is more than friction holds, f P = {:.4g}",
+                       first->t, first->force, first->holds));
 }
 
 template std::string remark_on_friction(const AssemblyParts<2>&, double);

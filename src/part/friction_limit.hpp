@@ -11,8 +11,9 @@ namespace gnomon::part {
 template <int dim>
 std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration);
 
-/// Throws InputError where such forces are more than friction carries in steady rolling in the
-/// plane. In space, surfaces that are inclined hold forces across the velocity.
+/// Throws InputError where such forces, of pairs those beside loads on a body that nothing else
+/// holds, are more than friction carries in steady rolling in the plane, as far as a scene tells.
+/// In space, surfaces that are inclined hold forces across the velocity.
 template <int dim>
 void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& parts);
 

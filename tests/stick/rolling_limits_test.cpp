@@ -46,5 +46,27 @@ TEST_F(PairRolling, TheDepthIsExpectedThatForcesWear) {
     expect_fit(*model(rolling_cap(1000), {force_of_cap(part)}), fmt::format("{} f P", part));
 }
 
+/// The load, or friction, falls steadily to a half in 1000 s: at 800 s it is 0.6 of the first one.
+TEST_F(RollingScenes, FrictionThatEndsAtAKnownTimeIsRefused) {
+  expect_refused(
+      cylinder(), {"friction.factor=\"1 - t/2000\""},
+      "from t = 800 s on the force along the surface, 6.66, is more than friction holds");
+  EXPECT_EQ(refusal(cylinder(), {"friction.factor=\"1 - t/2600\""}), "");
+}
+
+TEST_F(PairRolling, FrictionThatEndsAtAKnownTimeIsRefused) {
+  const std::string force = force_of_cap(0.6),
+                    message =
+                        "from t = 800 s on the force along the surface, 3.33, is more than "
+                        "friction holds, f P = 3.33";
+  expect_refused(rolling_cap(1000), {force, "friction.factor=\"1 - t/2000\""}, message);
+  expect_refused(rolling_cap(1000), {force, "load.1.times=[0, 1000]", "load.1.factors=[1.0, 0.5]"},
+                 message);
+  expect_refused(rolling_cap(1000), {"motion.2.force=-6.0"}, "pair.1.friction");
+  EXPECT_EQ(
+      refusal(rolling_cap(1000), {force, "load.1.times=[0, 1000]", "load.1.factors=[1.0, 0.61]"}),
+      "");
+}
+
 }  // namespace
 }  // namespace gnomon::rolling_limits_test
