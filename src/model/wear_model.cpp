@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <gnomon/model/wear_model.hpp>
 
+#include "model/limit_of_friction.hpp"
 #include "model/observed_path.hpp"
 #include "model/resultants.hpp"
 #include "model/thickness.hpp"
@@ -53,6 +54,10 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
     can.succeed = [this](const State& state) { return succeed_pairs(state); };
     can.overdue = [this](const State& state) { return have_moved(positions(state), 1); };
   }
+  if (assembly().interface.rolling)
+    can.limit = [this](const State& state) {
+      return limit_of_friction(assembly(), contacts(values(state), state).front().nodes);
+    };
   can.examine = [this](const State& state) { return examine(state); };
   if (assembly().pairs.empty())
     can.counter_surface = [this](const State& state) { return counter_surface(state); };

@@ -135,11 +135,12 @@ private:
       }
       if (!stepper_) make_stepper();
       const State before = state();
-      if (policy_.until || model().overdue) memory_.stepper = stepper_->memory();
+      if (policy_.until || model().overdue || model().limit) memory_.stepper = stepper_->memory();
       if (state().t >= early_end_) early_end_ = never, early_step_ = 0;
       StepReport report = stepper_->advance(state(), std::min(schedule_.stop(), early_end_));
       Observation observed = observe(report);
       if (model().overdue) come_near(before, report, observed);
+      const std::optional<Limit> limit = stop_short(before, report, observed);
       if (policy_.until) end_early(before, report, observed);
       jumps_->add(before, state());
       require_mesh(observed, before);
@@ -150,6 +151,7 @@ private:
         require_no_chattering(memory_.chattering.nodes(), integrator_);
       }
       if (schedule_.wants(state().t, counters_.steps) || ends_early()) store();
+      if (limit && !ends_early()) throw at_limit(*limit);
       begin_epoch();
       if (clock_is_due()) write_checkpoint();
     }
@@ -212,6 +214,25 @@ private:
     constexpr int most = 20;  // where boundary is inside from the start
     for (int i = 0; i < most && model().overdue(state()); ++i)
       repeat(before, before.t + (state().t - before.t) / 2, report, observed);
+  }
+
+  /// Halves a step that has passed a limit of the model. Throws SolutionError where that is of no
+  /// use.
+  std::optional<Limit> stop_short(const State& before, StepReport& report, Observation& observed) {
+    constexpr int most = 20;
+    if (!model().limit) return {};
+    std::optional<Limit> limit = model().limit(state());
+    for (int i = 0; i < most && limit && limit->passed; ++i) {
+      repeat(before, before.t + (state().t - before.t) / 2, report, observed);
+      limit = model().limit(state());
+    }
+    if (!limit || !limit->passed) return limit;
+    state() = before;
+    throw at_limit(*limit);
+  }
+
+  SolutionError at_limit(const Limit& limit) {
+    return SolutionError(fmt::format("from t = {:.6g} s on {}", state().t, limit.reason));
   }
 
   /// Repeats a step that goes beyond time.until, with an end there. A method of several steps

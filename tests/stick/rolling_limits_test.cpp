@@ -46,6 +46,34 @@ TEST_F(PairRolling, TheDepthIsExpectedThatForcesWear) {
     expect_fit(*model(rolling_cap(1000), {force_of_cap(part)}), fmt::format("{} f P", part));
 }
 
+/// Friction falls steadily to the force along the surface at 800 s, by a text of which only a run
+/// knows that.
+constexpr const char* falls = "friction.factor=\"1 - t/2000 + 0*h\"";
+
+void expect_end_of_friction(const Model& model, double force, double full_slip) {
+  const RunOutcome end = ended(model);
+  EXPECT_EQ(end.status, RunOutcome::Status::failed);
+  EXPECT_THAT(end.diagnosis,
+              AllOf(HasSubstr(fmt::format("along the surface, {:.2g}", force - 0.04)),
+                    HasSubstr("reaches what friction holds, f P = ")));
+  EXPECT_GT(end.last->t, 790);
+  EXPECT_LT(end.last->t, 800.1);
+  EXPECT_LT(value_of(end.last->scalars, "creepage_x").value(), 1.2 * full_slip);
+  EXPECT_LT(end.counters.newton_iterations, 1000);
+}
+
+TEST_F(RollingScenes, ARunEndsWhereFrictionDoes) {
+  expect_end_of_friction(*model(cylinder(), {coarse, falls}), Carter::Q,
+                         Carter::f * Carter::a() / Carter::R);
+}
+
+TEST_F(PairRolling, ARunEndsWhereFrictionDoes) {
+  folder_.write("coarse_rail.geo", rail(two_half_planes(8, 5, 2.4)));
+  expect_end_of_friction(
+      *model(rolling_cap(1000), {"mesh.file=coarse_rail.geo", force_of_cap(0.6), falls}),
+      0.6 * 0.3 * Mindlin::P, 0.3 * Mindlin::a() / Mindlin::R);
+}
+
 /// The load, or friction, falls steadily to a half in 1000 s: at 800 s it is 0.6 of the first one.
 TEST_F(RollingScenes, FrictionThatEndsAtAKnownTimeIsRefused) {
   expect_refused(

@@ -96,6 +96,12 @@ struct PhaseError {
   double error = 0;  ///< of the mean wear rate over P phases, relative
 };
 
+/// A state at or beside the last one that there is.
+struct Limit {
+  std::string reason;   ///< for the user
+  bool passed = false;  ///< the state means nothing any more
+};
+
 class Model;
 
 /// The beginning of an epoch: a model that follows another one in the same run, because its
@@ -148,6 +154,9 @@ struct Abilities {
   /// The solution at time t in closed form, where it is known: y of the differential components
   /// (zero elsewhere), and the state's time.
   std::function<std::optional<State>(double t)> exact{};
+  /// Asked after every accepted step, where no step would succeed soon: the run ends, and steps
+  /// that have passed the limit are repeated in shorter ones. Nothing: it goes on.
+  std::function<std::optional<Limit>(const State&)> limit{};
 };
 
 class Model : public ModelFacts, public Abilities {

@@ -1,0 +1,68 @@
+#include "model/limit_of_friction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/upstream.hpp"
+
+namespace gnomon {
+
+namespace {
+
+/// Of all nodes that have friction.
+template <int dim>
+struct Friction {
+  Vector<dim> sum = Vector<dim>::Zero();  ///< [force]
+  double most = 0;                        ///< f P, without regard to directions [force]
+  bool sticks = false;                    ///< somewhere
+};
+
+template <int dim>
+Friction<dim> friction_of(const Assembly<dim>& assembly,
+                          const std::vector<ContactNode<dim>>& nodes) {
+  Friction<dim> friction;
+  for (const Upstream& at : upstream_of(assembly)) {
+    const ContactNode<dim>& node = nodes[static_cast<std::size_t>(assembly.contact_node(at.node))];
+    if (!node.active) continue;
+    friction.sum += node.force - node.area * node.traction * node.normal;
+    friction.most -= node.friction * node.area * node.traction;
+    friction.sticks = friction.sticks || node.sticks;
+  }
+  friction.sum *= assembly.copies;
+  friction.most *= assembly.copies;
+  return friction;
+}
+
+/// Whether a creepage is found by forces, and none is given: beside a given one all may slip, and
+/// forces still turn the direction of slip.
+template <int dim>
+bool creeps_by_forces(const Assembly<dim>& assembly) {
+  const Rolling<dim>& rolling = *assembly.interface.rolling;
+  const auto& guides = assembly.interface.partner.guides;
+  return (rolling.creeps() || std::ranges::any_of(guides, &Guide<dim>::creeps)) &&
+         rolling.creepage.isZero(0) && rolling.spin.isZero(0);
+}
+
+}  // namespace
+
+template <int dim>
+std::optional<Limit> limit_of_friction(const Assembly<dim>& assembly,
+                                       const std::vector<ContactNode<dim>>& nodes) {
+  constexpr double nearly = 1 - 1e-3;
+  if (!creeps_by_forces(assembly)) return {};
+  const Friction<dim> friction = friction_of(assembly, nodes);
+  const double along = friction.sum.norm();
+  if (along == 0 || along < nearly * friction.most) return {};
+  return Limit{fmt::format("the force along the surface, {:.4g}, reaches what friction holds, f P "
+                           "= {:.4g}",
+                           along, friction.most),
+               !friction.sticks};
+}
+
+template std::optional<Limit> limit_of_friction(const Assembly<2>&,
+                                                const std::vector<ContactNode<2>>&);
+template std::optional<Limit> limit_of_friction(const Assembly<3>&,
+                                                const std::vector<ContactNode<3>>&);
+
+}  // namespace gnomon
