@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/limit_of_friction.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -16,7 +18,8 @@ template <int dim>
 class CreepageSearch {
 public:
   CreepageSearch(const WornBodyEquations<dim>& equations, Counters& counters)
-      : whole_(equations.composition(), equations.deformation()),
+      : equations_(equations),
+        whole_(equations.composition(), equations.deformation()),
         given_(equations.composition(), equations.without_creepage()),
         solver_(whole_.structure(), counters, options()),
         solver_at_given_(given_.structure(), counters, options()) {
@@ -27,6 +30,7 @@ public:
   /// Newton's method, and where it goes astray, since the whole contact slips and creepage does not
   /// change the force, bisection of one creepage first.
   void operator()(FieldValues<dim>& values) {
+    const std::string excess = this->excess(values);
     std::string reason;
     if (solves(values, reason)) return;
     if (creepages_.size() == 1)
@@ -40,8 +44,8 @@ public:
         }
     throw SolutionError(
         "no creepage was found at which friction balances the forces along the surface: expected "
-        "less than friction.coefficient times the force on it; " +
-        reason);
+        "less than friction.coefficient times the force on it" +
+        (excess.empty() ? "; " + reason : ", but " + excess));
   }
 
 private:
@@ -54,6 +58,13 @@ private:
     bool positive;  ///< what the force lacks at `one`
     FieldValues<dim> values;
   };
+
+  std::string excess(const FieldValues<dim>& values) const {
+    std::vector<double> y(whole_.structure().size);
+    whole_.numbering().gather(values, y);
+    return excess_at_start(equations_.assembly(),
+                           equations_.contact_nodes(whole_, values, {.t = 0, .y = y}));
+  }
 
   bool solves(FieldValues<dim>& values, std::string& reason) {
     std::vector<double> y(whole_.structure().size);
@@ -118,6 +129,7 @@ private:
     }
   }
 
+  const WornBodyEquations<dim>& equations_;
   ComposedSystem<dim> whole_, given_;
   NewtonSolver solver_, solver_at_given_;
   std::vector<int> creepages_;

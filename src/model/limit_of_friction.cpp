@@ -60,9 +60,23 @@ std::optional<Limit> limit_of_friction(const Assembly<dim>& assembly,
                !friction.sticks};
 }
 
+template <int dim>
+std::string excess_at_start(const Assembly<dim>& assembly,
+                            const std::vector<ContactNode<dim>>& nodes) {
+  Vector<dim> sum = Vector<dim>::Zero();
+  for (int i = 0; i < dim; ++i) sum[i] = assembly.interface.rolling->force[i].value_or(0);
+  for (const Guide<dim>& guide : assembly.interface.partner.guides)
+    if (guide.creeps() && guide.force) sum += *guide.force * guide.factors.factor(0) * guide.along;
+  const double along = sum.norm(), most = friction_of(assembly, nodes).most;
+  if (along <= most) return "";
+  return fmt::format("{:.4g} is more than friction holds, f P = {:.4g}", along, most);
+}
+
 template std::optional<Limit> limit_of_friction(const Assembly<2>&,
                                                 const std::vector<ContactNode<2>>&);
 template std::optional<Limit> limit_of_friction(const Assembly<3>&,
                                                 const std::vector<ContactNode<3>>&);
+template std::string excess_at_start(const Assembly<2>&, const std::vector<ContactNode<2>>&);
+template std::string excess_at_start(const Assembly<3>&, const std::vector<ContactNode<3>>&);
 
 }  // namespace gnomon

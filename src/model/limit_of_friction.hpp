@@ -15,4 +15,10 @@ template <int dim>
 std::optional<Limit> limit_of_friction(const Assembly<dim>& assembly,
                                        const std::vector<ContactNode<dim>>& nodes);
 
+/// That forces along the surface at the start are more than friction holds at these contact nodes;
+/// empty: they are less.
+template <int dim>
+std::string excess_at_start(const Assembly<dim>& assembly,
+                            const std::vector<ContactNode<dim>>& nodes);
+
 }  // namespace gnomon

@@ -96,5 +96,12 @@ TEST_F(PairRolling, FrictionThatEndsAtAKnownTimeIsRefused) {
       "");
 }
 
+/// What a scene does not tell is found at the start.
+TEST_F(RollingScenes, AForceThatFrictionDoesNotBalanceIsToldAtTheStart) {
+  EXPECT_THAT(failed_start(cylinder(), {coarse, "counter_body.press.2.force=12.0",
+                                        "friction.factor=\"1 - 0*h\""}),
+              HasSubstr("on it, but 12 is more than friction holds, f P = 11.1"));
+}
+
 }  // namespace
 }  // namespace gnomon::rolling_limits_test
