@@ -33,7 +33,9 @@ bool rolls(const Scene& scene) {
 namespace {
 
 constexpr double along_surface = 1e-3;  // cosine
-constexpr double rounding = 1e-12;      // of a creepage, as a part of the velocity
+/// The surface where bodies touch may be inclined against its mean, so that forces are along it.
+constexpr double nearly_along = 0.1;
+constexpr double rounding = 1e-12;  // of a creepage, as a part of the velocity
 
 template <int dim>
 Vector<dim> read_along(const Scene& scene, const std::string& key, const Vector<dim>& outward) {
@@ -126,18 +128,40 @@ std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& 
   return rolling;
 }
 
+namespace {
+
+/// Throws where a counter-body that two guides press could move along the velocity of rolling,
+/// where friction does not hold it.
+template <int dim>
+void require_one_way(const Scene& scene, const Vector<dim>& outward, const Guide<dim>& first,
+                     const Guide<dim>& other) {
+  const Vector<dim> way = first.along / first.along.dot(outward) -
+                          other.along / other.along.dot(outward),
+                    velocity = read_point<dim>(scene, "rolling.velocity");
+  if (std::abs(way.dot(velocity)) <= along_surface * velocity.norm()) return;
+  refuse(scene, other.key + ".direction",
+         fmt::format("a direction along the surface, or that of {}, beside [rolling]: a force "
+                     "between them is one along each of them, which add up as vectors",
+                     first.key));
+}
+
+}  // namespace
+
 template <int dim>
 void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>& other) {
   if (other.turning)
     refuse(scene, "counter_body.motion.rotation",
            "a counter-body that looks the same while it turns, beside [rolling]");
   Vector<dim> pressing = Vector<dim>::Zero();
+  const Guide<dim>* presses = nullptr;
   for (Guide<dim>& guide : other.guides) {
     if (guide.turns())
       refuse(scene, guide.key + ".moment",
              "a force along the surface in its place, beside [rolling]: the moment divided by the "
              "radius");
-    if (std::abs(guide.along.dot(outward)) > along_surface) {
+    if (std::abs(guide.along.dot(outward)) > nearly_along) {
+      require_one_way(scene, outward, presses ? *presses : guide, guide);
+      presses = &guide;
       pressing += guide.force.value_or(guide.travel ? guide.travel->factor(0) : 0) * guide.along;
       continue;
     }

@@ -103,5 +103,24 @@ TEST_F(RollingScenes, AForceThatFrictionDoesNotBalanceIsToldAtTheStart) {
               HasSubstr("on it, but 12 is more than friction holds, f P = 11.1"));
 }
 
+/// Forces add up as vectors.
+TEST_F(RollingScenes, AForceNearlyAlongTheSurfaceIsTheSumOfItsParts) {
+  constexpr double slope = 0.05;
+  const double along = Carter::Q / std::sqrt(1 + slope * slope);
+  const Found inclined =
+      found(cylinder(), {fmt::format("counter_body.press.2.direction=[-1.0, {}]", -slope)});
+  const Found parts = found(
+      cylinder(), {fmt::format("counter_body.press.1.force={:.17g}", Carter::P + slope * along),
+                   fmt::format("counter_body.press.2.force={:.17g}", along)});
+  EXPECT_NEAR(inclined.creepage / parts.creepage, 1, 1e-3);
+  EXPECT_NEAR(inclined.power / parts.power, 1, 1e-3);
+}
+
+TEST_F(RollingScenes, AForceBetweenTheSurfaceAndTheLoadIsRefused) {
+  expect_refused(cylinder(), {"counter_body.press.2.direction=[-1.0, -1.0]"},
+                 "counter_body.press.2.direction: expected a direction along the surface, or that "
+                 "of counter_body.press.1");
+}
+
 }  // namespace
 }  // namespace gnomon::rolling_limits_test
