@@ -217,6 +217,21 @@ void read_forces(const Scene& scene, const RollingBody<dim>& body, const MortarP
   take(sideways, 3 - along - into, *across);
 }
 
+/// Throws where bodies in the plane, whose surfaces touch along a line, move to or from each other.
+template <int dim>
+void require_along_each_other(const Scene& scene, const std::array<RollingBody<dim>, 2>& bodies) {
+  constexpr double digits = 1e-9;  // of a velocity
+  const Vector<dim>&V = bodies[0].velocity, &other = bodies[1].velocity;
+  const double size = V.norm() * other.norm();
+  if (dim == 3 || size == 0) return;
+  const double off = std::abs(V[0] * other[1] - V[1] * other[0]);
+  if (off > std::max(digits * size, along_surface * V.norm() * (V - other).norm()))
+    refuse(scene, bodies[0].table + ".velocity",
+           fmt::format("a velocity along the line of that of {}, which is that of the surfaces: "
+                       "across it the bodies part",
+                       bodies[1].table));
+}
+
 /// The velocities of both bodies; alike along what a force determines, where the search begins.
 template <int dim>
 void read_velocities(const Scene& scene, const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
@@ -225,6 +240,7 @@ void read_velocities(const Scene& scene, const AssemblyParts<dim>& parts, Mortar
     bodies[side] = read_rolling_body(scene, parts, pair.bodies[side]);
     pair.velocities[side] = bodies[side].velocity;
   }
+  require_along_each_other(scene, bodies);
   for (std::size_t side = 0; side < 2; ++side)
     for (int i = 0; i < dim; ++i)
       if (bodies[side].force[i != axis_along<dim>(bodies[side].velocity)])

@@ -122,5 +122,11 @@ TEST_F(RollingScenes, AForceBetweenTheSurfaceAndTheLoadIsRefused) {
                  "of counter_body.press.1");
 }
 
+TEST_F(PairRolling, BodiesThatPartAreRefused) {
+  expect_refused(rolling_cap(1000), {"motion.1.velocity=[1000.25, 1.0]"},
+                 "motion.1.velocity: expected a velocity along the line of that of motion.2");
+  EXPECT_EQ(refusal(rolling_cap(1000), {"motion.1.velocity=[1000.25, 1e-7]"}), "");
+}
+
 }  // namespace
 }  // namespace gnomon::rolling_limits_test
