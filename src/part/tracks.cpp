@@ -77,6 +77,23 @@ void require_motion_along(const Scene& scene, const Surface<dim>& surface, const
                       "across it");
 }
 
+/// Where both of two bodies that roll wear, their lines have one direction.
+template <int dim>
+void require_common_lines(const Scene& scene, const Surface<dim>& surface,
+                          const AssemblyParts<dim>& parts) {
+  constexpr double rounding = 1e-9;
+  const auto& [V, other] = parts.pairs.front().velocities;
+  const bool alone = std::ranges::count_if(parts.interface.surfaces, [&](const Surface<dim>& of) {
+                       return is_track(scene, of.name);
+                     }) < 2;
+  const Vector<dim> across = other - other.dot(V) / V.squaredNorm() * V;
+  if (!alone && across.norm() > rounding * other.norm())
+    throw unfit_track(scene, surface.name,
+                      "expected a creepage across the velocity to be found by "
+                      "motion.#.force_across, or only one of both surfaces to wear: lines of both "
+                      "go along one velocity");
+}
+
 /// A node wears by one law, and by the mean along a track or not.
 template <int dim>
 void require_own_nodes(const Scene& scene, const Surface<dim>& surface,
@@ -135,6 +152,7 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
   if (parts.shape.constraint == ConstraintForm::multiplier)
     throw unfit_track(scene, surface.name, "expected shape.constraint = \"eliminated\"");
   if (on_rigid) return Track<dim>{{rolling->velocity.normalized()}, scene.real(key)};
+  if (rolling) require_common_lines(scene, surface, parts);
   const std::string& body = body_of_track(scene, surface, parts).name;
   const auto motions = read_motions_of_bodies(scene, parts);
   const auto motion = motions.find(body);
