@@ -169,10 +169,15 @@ template <int dim>
 std::string find_touched_end(const Assembly<dim>& assembly,
                              const std::vector<PhaseContact<dim>>& contacts) {
   constexpr double rounding = 1e-6;
+  // A node of a large facet bears a little where contact begins at the other end of it.
+  constexpr double covered = 0.5, pressed = 1e-3;
   const auto touches = [&](int node) {
     const auto c = static_cast<std::size_t>(assembly.contact_node(node));
-    return std::ranges::any_of(contacts,
-                               [&](const PhaseContact<dim>& at) { return at.nodes[c].active; });
+    return std::ranges::any_of(contacts, [&](const PhaseContact<dim>& at) {
+      const double most = -std::ranges::min(at.nodes, {}, &ContactNode<dim>::traction).traction;
+      return at.nodes[c].active && -at.nodes[c].traction >= pressed * most &&
+             at.nodes[c].area >= covered * assembly.contact_nodes[c].initial_area;
+    });
   };
   for (const Surface<dim>& surface : assembly.interface.surfaces) {
     if (!surface.track) continue;

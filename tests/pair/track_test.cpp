@@ -339,6 +339,10 @@ TEST(Track, WhoseEndIsTouchedIsTold) {
   EXPECT_EQ(touched_end<2>(0), "lower top");
   EXPECT_EQ(touched_end<3>(0.5), "");
   EXPECT_EQ(touched_end<3>(0), "lower top");
+  // Of the first facet a twentieth, from 0.4, or all but that.
+  EXPECT_EQ(touched_end<2>(0.38), "");
+  EXPECT_EQ(touched_end<3>(0.38), "");
+  EXPECT_EQ(touched_end<2>(0.02), "lower top");
   Examination facts{.touched_end = "rim"};
   EXPECT_THAT(doubts(facts), Contains(HasSubstr("contact reaches an end of the mesh of \"rim\"")));
 }
