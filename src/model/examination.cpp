@@ -245,7 +245,9 @@ void examine_rolling(const WornBodyEquations<dim>& equations, const FieldValues<
       assembly.copies * assembly.scales.force * assembly.interface.rolling->velocity.norm();
   constexpr double rounding = 1e-9, similar = 0.01;
   if (power.dissipated > rounding * sliding) facts.upwind_power = power.upwind / power.dissipated;
-  if (std::abs(dundurs_of(assembly.bodies, assembly.pairs)) >= similar) return;
+  if (std::abs(dundurs_of(assembly.bodies, assembly.pairs)) >= similar ||
+      are_layered(assembly.mesh, assembly.bodies))
+    return;
   // Of bodies that roll nearly freely both are small, and mean nothing.
   constexpr double little = 3e-6;
   const double driving = driving_power(assembly, nodes, equations.creepage(values));

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "model/connected_parts.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -35,6 +37,22 @@ double dundurs_of(const std::vector<Body>& bodies, const std::vector<MortarPair<
   return farthest;
 }
 
+template <int dim>
+bool are_layered(const Mesh<dim>& mesh, const std::vector<Body>& bodies) {
+  if (bodies.size() < 2) return false;
+  const std::vector<int> part = connected_parts(mesh, bodies);
+  for (std::size_t a = 0; a < part.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      const Material &one = bodies[a].material, &other = bodies[b].material;
+      if (part[a] == part[b] &&
+          (one.young_modulus != other.young_modulus || one.poisson_ratio != other.poisson_ratio))
+        return true;
+    }
+  return false;
+}
+
+template bool are_layered(const Mesh<2>&, const std::vector<Body>&);
+template bool are_layered(const Mesh<3>&, const std::vector<Body>&);
 template double dundurs_of(const std::vector<Body>&, const std::vector<MortarPair<2>>&);
 template double dundurs_of(const std::vector<Body>&, const std::vector<MortarPair<3>>&);
 

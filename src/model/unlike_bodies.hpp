@@ -1,6 +1,7 @@
 // How unlike the bodies in contact are.
 #pragma once
 
+#include <gnomon/mesh/mesh.hpp>
 #include <gnomon/terms/material.hpp>
 #include <gnomon/terms/mortar_pair.hpp>
 #include <vector>
@@ -12,5 +13,10 @@ namespace gnomon {
 /// Without `pairs` every body is beside a rigid one.
 template <int dim>
 double dundurs_of(const std::vector<Body>& bodies, const std::vector<MortarPair<dim>>& pairs);
+
+/// Whether bodies of unlike elasticity are bonded: such a body is no half-space of one material,
+/// and bends in the contact.
+template <int dim>
+bool are_layered(const Mesh<dim>& mesh, const std::vector<Body>& bodies);
 
 }  // namespace gnomon

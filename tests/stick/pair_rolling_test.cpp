@@ -167,6 +167,26 @@ TEST_F(PairRolling, FrictionWithoutThePowerOfWhatDrivesSimilarBodiesIsTold) {
     }
 }
 
+/// Of a tread on a soft core what the forces do is no power of friction: it bends in the contact.
+TEST_F(PairRolling, ALayeredBodyIsNotSimilarToAnother) {
+  std::string bodies = rail(two_half_planes(6, 5, 2.2, 0.12));
+  bodies.replace(bodies.find("(\"cap\") = {21, 22, 23, 24}"), 26,
+                 "(\"cap\") = {21, 22, 24}; Physical Surface(\"core\") = {23}");
+  folder_.write("layers.geo", bodies);
+  std::string text = rolling_cap(1000);
+  text.replace(text.find("{ name = \"flat\""), 0,
+               "{ name = \"core\", young_modulus = 2e5, poisson_ratio = 0.3, material = "
+               "\"linear\" }, ");
+  const auto part = [&](const std::string& modulus) {
+    const auto model = this->model(
+        text, {"mesh.file=layers.geo", "motion.1.force=2.5", "body.2.young_modulus=" + modulus});
+    Counters counters;
+    return model->examine(model->start(counters)).power_by_driving;
+  };
+  EXPECT_NE(part("2e5"), 1);
+  EXPECT_EQ(part("2e3"), 1);
+}
+
 /// A disc of 6 mm radius in its unrolled frame: R^2 falls in proportion to time where the law has
 /// the path that is left, and the depth does without.
 TEST_F(PairRolling, TheSquareOfTheRadiusFallsSteadily) {
