@@ -39,7 +39,7 @@ std::vector<std::string> doubts(const Examination& facts) {
   constexpr double unbalanced = 0.02, idle = 0.5, deep = 0.01, dragged = 0.05, peak = 1.05,
                    wedged = 50, lost = 0.02, stale = 0.01, inside = 1e-3, renewed = 0.02,
                    blind = 1e-3, turned = 0.02, displaced = 0.02, small = 0.01, worn = 0.02,
-                   undriven = 0.1;
+                   undriven = 0.1, nothing = 1e-6;
   constexpr int narrow = 2;
   std::vector<std::string> found;
   // Over a cycle all of them may cancel out.
@@ -126,7 +126,11 @@ std::vector<std::string> doubts(const Examination& facts) {
         "its moment turns the counter-body by {:.2g} rad, and slip is of first order in "
         "it, so that about {:.1f} % of the slip is wrong: cycle.rotation is exact",
         facts.turn, 100 * facts.turn / 2));
-  if (std::abs(facts.power_by_driving - 1) > undriven)
+  if (std::abs(facts.power_by_driving) < nothing)
+    found.push_back(
+        "all that rolls sticks, so that friction dissipates nothing and nothing wears: the mesh is "
+        "too coarse for what slips");
+  else if (std::abs(facts.power_by_driving - 1) > undriven)
     found.push_back(fmt::format(
         "friction of similar bodies that roll dissipates {:.2g} times the power of what drives "
         "them: pressures move along their surfaces, by the mesh, small blocks or strains (a finer "
