@@ -121,8 +121,8 @@ std::vector<Key> shared_keys() {
     if (replaced(key.name)) continue;
     if (key.name == "wear.velocity") {
       key.absent_meaning =
-          "that of counter_body.motion, or of [[motion]], at the contact; in rolling the creepage "
-          "times the velocity";
+          "that of counter_body.motion, or of [[motion]], at the contact; in rolling the creepage, "
+          "and spin times half of the expected width of the contact, times the velocity";
       key.help = "sliding speed that s = v t is counted with";
       key.idle = [](const Scene& scene) {
         return reads_in_rates(scene, "s") || reads_in_friction(scene, "s") ? ""

@@ -341,8 +341,9 @@ double slip_by_forces(const AssemblyParts<dim>& parts, const Magnitudes& expecte
 template <int dim>
 double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
   const Rolling<dim>& rolling = *parts.interface.rolling;
+  const double spin = rolling.spin.norm() / std::sqrt(2);  // of a skew tensor
   const double half = contact_width<dim>(expected.scales) / 2,
-               given = rolling.creepage.norm() + half * rolling.spin.norm(),
+               given = rolling.creepage.norm() + half * spin,
                found = slips_as_given(parts) ? 0 : slip_by_forces(parts, expected);
   return rolling.velocity.norm() * (given + found);
 }
