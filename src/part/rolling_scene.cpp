@@ -8,8 +8,6 @@
 #include <gnomon/scene/keys.hpp>
 #include <gnomon/shapes/shape_keys.hpp>
 
-#include "part/bodies.hpp"
-#include "part/body_motions.hpp"
 #include "part/histories.hpp"
 
 namespace gnomon::part {
@@ -30,9 +28,15 @@ bool rolls(const Scene& scene) {
   return scene.given("rolling.velocity");
 }
 
+void require_steady_bodies(const Scene& scene) {
+  if (scene.text("model.plane") == "axisymmetric")
+    refuse(scene, "model.plane", "\"strain\" where bodies roll");
+  if (scene.text("shape.constraint") != "eliminated")
+    refuse(scene, "shape.constraint", "\"eliminated\" where bodies roll");
+}
+
 namespace {
 
-constexpr double along_surface = 1e-3;  // cosine
 /// The surface where bodies touch may be inclined against its mean, so that forces are along it.
 constexpr double nearly_along = 0.1;
 constexpr double rounding = 1e-12;  // of a creepage, as a part of the velocity
@@ -45,15 +49,7 @@ Vector<dim> read_along(const Scene& scene, const std::string& key, const Vector<
   return v;
 }
 
-/// Throws where the bodies have what steady rolling does not go with.
-void require_steady_bodies(const Scene& scene) {
-  if (scene.text("model.plane") == "axisymmetric")
-    refuse(scene, "model.plane", "\"strain\" where bodies roll");
-  if (scene.text("shape.constraint") != "eliminated")
-    refuse(scene, "shape.constraint", "\"eliminated\" where bodies roll");
-}
-
-/// The same of a scene with [rolling].
+/// Throws where a scene with [rolling] has what steady rolling does not go with.
 void require_steady_state(const Scene& scene) {
   if (scene.given("friction.stick") && !scene.flag("friction.stick"))
     refuse(scene, "friction.stick", "true or none beside [rolling], where friction may stick");
@@ -182,193 +178,9 @@ void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>&
   if (!pressing.isZero(0)) other.come_along(pressing);
 }
 
-namespace {
-
-constexpr double near_axis = 1e-6;
-
-/// The axis along which a vector points, or -1.
-template <int dim>
-int axis_along(const Vector<dim>& v) {
-  Eigen::Index axis = 0;
-  const double most = v.cwiseAbs().maxCoeff(&axis);
-  return (v - v[axis] * Vector<dim>::Unit(axis)).norm() < near_axis * most ? static_cast<int>(axis)
-                                                                           : -1;
-}
-
-/// Makes the creepage unknown along what a force on the slave, or `reversed` on the master,
-/// determines.
-template <int dim>
-void read_forces(const Scene& scene, const RollingBody<dim>& body, const MortarPair<dim>& pair,
-                 bool reversed, Rolling<dim>& rolling) {
-  const int along = axis_along<dim>(body.velocity), into = axis_along<dim>(pair.approach);
-  const auto take = [&](const std::string& key, int axis, double value) {
-    if (rolling.force[axis])
-      refuse(scene, key, "a force on one of the two bodies: the other one has its opposite");
-    rolling.force[axis] = reversed ? -value : value;
-  };
-  const auto [drives, across] = body.force;
-  const std::string key = body.table + ".force", sideways = key + "_across";
-  if (drives && along < 0) refuse(scene, key, "a velocity along an axis of the scene beside it");
-  if (drives) take(key, along, std::copysign(1.0, body.velocity[along]) * *drives);
-  if (!across) return;
-  if (dim == 2) refuse(scene, sideways, "none in the plane");
-  if (along < 0 || into < 0 || along == into)
-    refuse(scene, sideways, "a velocity and a load along axes of the scene beside it");
-  take(sideways, 3 - along - into, *across);
-}
-
-/// Throws where bodies in the plane, whose surfaces touch along a line, move to or from each other.
-template <int dim>
-void require_along_each_other(const Scene& scene, const std::array<RollingBody<dim>, 2>& bodies) {
-  constexpr double digits = 1e-9;  // of a velocity
-  const Vector<dim>&V = bodies[0].velocity, &other = bodies[1].velocity;
-  const double size = V.norm() * other.norm();
-  if (dim == 3 || size == 0) return;
-  const double off = std::abs(V[0] * other[1] - V[1] * other[0]);
-  if (off > std::max(digits * size, along_surface * V.norm() * (V - other).norm()))
-    refuse(scene, bodies[0].table + ".velocity",
-           fmt::format("a velocity along the line of that of {}, which is that of the surfaces: "
-                       "across it the bodies part",
-                       bodies[1].table));
-}
-
-/// The velocities of both bodies; alike along what a force determines, where the search begins.
-template <int dim>
-void read_velocities(const Scene& scene, const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
-  std::array<RollingBody<dim>, 2> bodies;
-  for (std::size_t side = 0; side < 2; ++side) {
-    bodies[side] = read_rolling_body(scene, parts, pair.bodies[side]);
-    pair.velocities[side] = bodies[side].velocity;
-  }
-  require_along_each_other(scene, bodies);
-  for (std::size_t side = 0; side < 2; ++side)
-    for (int i = 0; i < dim; ++i)
-      if (bodies[side].force[i != axis_along<dim>(bodies[side].velocity)])
-        pair.velocities[side][i] = bodies[1 - side].velocity[i];
-}
-
-/// About the normal of the contact, of one of the bodies.
-template <int dim>
-void read_spin(const Scene& scene, const RollingBody<dim>& body, const Vector<dim>& approach,
-               double rate, Rolling<dim>& rolling) {
-  if (body.spin.isZero(0)) return;
-  const std::string key = body.table + ".rotation";
-  if ((body.spin * approach).norm() > along_surface * body.spin.norm())
-    refuse(scene, key,
-           "a rotation about the normal of the contact where bodies roll: that about the axle is "
-           "the velocity of the material where it touches");
-  if (!rolling.spin.isZero(0)) refuse(scene, key, "a rotation of one of the two bodies");
-  rolling.spin = rate * body.spin;
-  rolling.centre = body.centre;
-}
-
-}  // namespace
-
-template <int dim>
-Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts) {
-  const MortarPair<dim>& pair = parts.pairs.front();
-  const auto& [V, other] = pair.velocities;
-  Rolling<dim> rolling{
-      .velocity = V, .creepage = (V - other) / V.norm(), .linear = has_small_strains(parts.bodies)};
-  for (const bool master : {false, true}) {
-    const auto body = read_rolling_body(scene, parts, pair.bodies[master]);
-    read_forces(scene, body, pair, master, rolling);
-    read_spin(scene, body, pair.approach, (master ? -1 : 1) / V.norm(), rolling);
-  }
-  if (parts.pairs.size() > 1 && (rolling.creeps() || !rolling.spin.isZero(0)))
-    throw InputError(scene.path().string() +
-                     ": [[motion]]: expected velocities alone where several pairs roll, and no "
-                     "force or rotation");
-  return rolling;
-}
-
-template <int dim>
-void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
-  for (MortarPair<dim>& pair : parts.pairs) {
-    read_velocities(scene, parts, pair);
-    for (const Vector<dim>& V : pair.velocities)
-      if (!(V.norm() > 0))
-        throw InputError(fmt::format(
-            "{}: [[pair]]: expected also [cycle] beside stick, or a [[motion]] of both \"{}\" and "
-            "\"{}\", by whose velocities they roll on each other",
-            scene.path().string(), pair.bodies[0], pair.bodies[1]));
-    if (!(pair.friction > 0))
-      refuse(scene, "friction.coefficient", "a coefficient above zero where bodies roll");
-  }
-  require_steady_bodies(scene);
-  parts.interface.sticks = false;
-  parts.interface.rolling = rolling_of(scene, parts);
-}
-
-template <int dim>
-bool slips_as_given(const AssemblyParts<dim>& parts) {
-  const Rolling<dim>& rolling = *parts.interface.rolling;
-  const bool is_given = !rolling.creepage.isZero(0) || !rolling.spin.isZero(0);
-  return is_given && !rolling.creeps() &&
-         std::ranges::none_of(parts.interface.partner.guides, &Guide<dim>::creeps);
-}
-
-namespace {
-
-/// Of what friction can hold, the part that forces along the surface take up, mean over the run; 0
-/// where none is given.
-template <int dim>
-double part_of_friction(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
-  const double duration = expected.scales.duration;
-  Vector<dim> along = Vector<dim>::Zero();
-  for (const Guide<dim>& guide : parts.interface.partner.guides)
-    if (guide.creeps() && guide.force)
-      along += *guide.force * guide.factors.integral(duration) / duration * guide.along;
-  for (int i = 0; i < dim; ++i) along[i] += parts.interface.rolling->force[i].value_or(0);
-  const Pressing press = pressing_of(parts, duration);
-  const double across = press.force > 0 ? press.impulse / duration : expected.scales.force;
-  return across > 0 ? std::min(1.0, along.norm() / (parts.interface.friction * across)) : 0;
-}
-
-/// The mean slip, by pressures, that makes those forces, divided by the velocity: of Carter's
-/// contact, in space of J. K. Vermeulen's and K. L. Johnson's, by the mean strain of the contact.
-template <int dim>
-double slip_by_forces(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
-  constexpr double least = 0.3;  // unlike bodies slip where they roll freely
-  constexpr double limit = dim == 2 ? 8 / M_PI : 3;
-  const double part = std::max(least, part_of_friction(parts, expected)),
-               creepage = 1 - std::pow(1 - part, 1.0 / dim);
-  return limit * parts.interface.friction * expected.strain * part * creepage;
-}
-
-}  // namespace
-
-template <int dim>
-double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
-  const Rolling<dim>& rolling = *parts.interface.rolling;
-  const double spin = rolling.spin.norm() / std::sqrt(2);  // of a skew tensor
-  const double half = contact_width<dim>(expected.scales) / 2,
-               given = rolling.creepage.norm() + half * spin,
-               found = slips_as_given(parts) ? 0 : slip_by_forces(parts, expected);
-  return rolling.velocity.norm() * (given + found);
-}
-
-template <int dim>
-void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts) {
-  for (Guide<dim>& guide : parts.interface.partner.guides)
-    if (guide.creeps()) guide.creep = contact_width<dim>(expected.scales) / 2;
-  parts.interface.rolling->creepage_scale =
-      expected.scales.displacement / (contact_width<dim>(expected.scales) / 2);
-}
-
 template std::optional<Rolling<2>> read_rolling(const Scene&, const Vector<2>&, CounterBody<2>&);
 template std::optional<Rolling<3>> read_rolling(const Scene&, const Vector<3>&, CounterBody<3>&);
-template bool slips_as_given(const AssemblyParts<2>&);
-template bool slips_as_given(const AssemblyParts<3>&);
-template Rolling<2> rolling_of(const Scene&, const AssemblyParts<2>&);
-template Rolling<3> rolling_of(const Scene&, const AssemblyParts<3>&);
-template void let_roll(const Scene&, AssemblyParts<2>&);
-template void let_roll(const Scene&, AssemblyParts<3>&);
 template void let_creep(const Scene&, const Vector<2>&, CounterBody<2>&);
 template void let_creep(const Scene&, const Vector<3>&, CounterBody<3>&);
-template double speed_of_rolling(const AssemblyParts<2>&, const Magnitudes&);
-template double speed_of_rolling(const AssemblyParts<3>&, const Magnitudes&);
-template void scale_creepages(const Magnitudes&, AssemblyParts<2>&);
-template void scale_creepages(const Magnitudes&, AssemblyParts<3>&);
 
 }  // namespace gnomon::part

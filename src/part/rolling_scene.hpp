@@ -8,10 +8,16 @@
 
 namespace gnomon::part {
 
+/// Cosine between what is along a surface and its normal, at most.
+inline constexpr double along_surface = 1e-3;
+
 std::vector<Key> rolling_keys();
 
 /// Whether a scene gives a table [rolling].
 bool rolls(const Scene& scene);
+
+/// Throws InputError where the bodies have what steady rolling does not go with.
+void require_steady_bodies(const Scene& scene);
 
 /// How the material passes the counter-body, which knows where it touches first and what creeps
 /// (let_creep()), and whose motion becomes a creepage; nothing without [rolling]. `outward`: the

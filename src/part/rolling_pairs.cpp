@@ -1,0 +1,138 @@
+// Pairs of bodies that roll by the velocities of both.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gnomon/base/error.hpp>
+
+#include "part/bodies.hpp"
+#include "part/body_motions.hpp"
+#include "part/histories.hpp"
+#include "part/rolling_scene.hpp"
+
+namespace gnomon::part {
+
+namespace {
+
+constexpr double near_axis = 1e-6;
+
+/// The axis along which a vector points, or -1.
+template <int dim>
+int axis_along(const Vector<dim>& v) {
+  Eigen::Index axis = 0;
+  const double most = v.cwiseAbs().maxCoeff(&axis);
+  return (v - v[axis] * Vector<dim>::Unit(axis)).norm() < near_axis * most ? static_cast<int>(axis)
+                                                                           : -1;
+}
+
+/// Makes the creepage unknown along what a force on the slave, or `reversed` on the master,
+/// determines.
+template <int dim>
+void read_forces(const Scene& scene, const RollingBody<dim>& body, const MortarPair<dim>& pair,
+                 bool reversed, Rolling<dim>& rolling) {
+  const int along = axis_along<dim>(body.velocity), into = axis_along<dim>(pair.approach);
+  const auto take = [&](const std::string& key, int axis, double value) {
+    if (rolling.force[axis])
+      refuse(scene, key, "a force on one of the two bodies: the other one has its opposite");
+    rolling.force[axis] = reversed ? -value : value;
+  };
+  const auto [drives, across] = body.force;
+  const std::string key = body.table + ".force", sideways = key + "_across";
+  if (drives && along < 0) refuse(scene, key, "a velocity along an axis of the scene beside it");
+  if (drives) take(key, along, std::copysign(1.0, body.velocity[along]) * *drives);
+  if (!across) return;
+  if (dim == 2) refuse(scene, sideways, "none in the plane");
+  if (along < 0 || into < 0 || along == into)
+    refuse(scene, sideways, "a velocity and a load along axes of the scene beside it");
+  take(sideways, 3 - along - into, *across);
+}
+
+/// Throws where bodies in the plane, whose surfaces touch along a line, move to or from each other.
+template <int dim>
+void require_along_each_other(const Scene& scene, const std::array<RollingBody<dim>, 2>& bodies) {
+  constexpr double digits = 1e-9;  // of a velocity
+  const Vector<dim>&V = bodies[0].velocity, &other = bodies[1].velocity;
+  const double size = V.norm() * other.norm();
+  if (dim == 3 || size == 0) return;
+  const double off = std::abs(V[0] * other[1] - V[1] * other[0]);
+  if (off > std::max(digits * size, along_surface * V.norm() * (V - other).norm()))
+    refuse(scene, bodies[0].table + ".velocity",
+           fmt::format("a velocity along the line of that of {}, which is that of the surfaces: "
+                       "across it the bodies part",
+                       bodies[1].table));
+}
+
+/// The velocities of both bodies; alike along what a force determines, where the search begins.
+template <int dim>
+void read_velocities(const Scene& scene, const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
+  std::array<RollingBody<dim>, 2> bodies;
+  for (std::size_t side = 0; side < 2; ++side) {
+    bodies[side] = read_rolling_body(scene, parts, pair.bodies[side]);
+    pair.velocities[side] = bodies[side].velocity;
+  }
+  require_along_each_other(scene, bodies);
+  for (std::size_t side = 0; side < 2; ++side)
+    for (int i = 0; i < dim; ++i)
+      if (bodies[side].force[i != axis_along<dim>(bodies[side].velocity)])
+        pair.velocities[side][i] = bodies[1 - side].velocity[i];
+}
+
+/// About the normal of the contact, of one of the bodies.
+template <int dim>
+void read_spin(const Scene& scene, const RollingBody<dim>& body, const Vector<dim>& approach,
+               double rate, Rolling<dim>& rolling) {
+  if (body.spin.isZero(0)) return;
+  const std::string key = body.table + ".rotation";
+  if ((body.spin * approach).norm() > along_surface * body.spin.norm())
+    refuse(scene, key,
+           "a rotation about the normal of the contact where bodies roll: that about the axle is "
+           "the velocity of the material where it touches");
+  if (!rolling.spin.isZero(0)) refuse(scene, key, "a rotation of one of the two bodies");
+  rolling.spin = rate * body.spin;
+  rolling.centre = body.centre;
+}
+
+}  // namespace
+
+template <int dim>
+Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts) {
+  const MortarPair<dim>& pair = parts.pairs.front();
+  const auto& [V, other] = pair.velocities;
+  Rolling<dim> rolling{
+      .velocity = V, .creepage = (V - other) / V.norm(), .linear = has_small_strains(parts.bodies)};
+  for (const bool master : {false, true}) {
+    const auto body = read_rolling_body(scene, parts, pair.bodies[master]);
+    read_forces(scene, body, pair, master, rolling);
+    read_spin(scene, body, pair.approach, (master ? -1 : 1) / V.norm(), rolling);
+  }
+  if (parts.pairs.size() > 1 && (rolling.creeps() || !rolling.spin.isZero(0)))
+    throw InputError(scene.path().string() +
+                     ": [[motion]]: expected velocities alone where several pairs roll, and no "
+                     "force or rotation");
+  return rolling;
+}
+
+template <int dim>
+void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
+  for (MortarPair<dim>& pair : parts.pairs) {
+    read_velocities(scene, parts, pair);
+    for (const Vector<dim>& V : pair.velocities)
+      if (!(V.norm() > 0))
+        throw InputError(fmt::format(
+            "{}: [[pair]]: expected also [cycle] beside stick, or a [[motion]] of both \"{}\" and "
+            "\"{}\", by whose velocities they roll on each other",
+            scene.path().string(), pair.bodies[0], pair.bodies[1]));
+    if (!(pair.friction > 0))
+      refuse(scene, "friction.coefficient", "a coefficient above zero where bodies roll");
+  }
+  require_steady_bodies(scene);
+  parts.interface.sticks = false;
+  parts.interface.rolling = rolling_of(scene, parts);
+}
+
+template Rolling<2> rolling_of(const Scene&, const AssemblyParts<2>&);
+template Rolling<3> rolling_of(const Scene&, const AssemblyParts<3>&);
+template void let_roll(const Scene&, AssemblyParts<2>&);
+template void let_roll(const Scene&, AssemblyParts<3>&);
+
+}  // namespace gnomon::part
