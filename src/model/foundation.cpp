@@ -64,6 +64,11 @@ Foundation<dim>::Foundation(const AssemblyParts<dim>& parts,
       whole += std::abs(load.pressure) * patch.initial_area;
     largest_load_ += load.history.largest() * whole;
   }
+  if (springs_hold(parts) == SpringsHold::yes) return;
+  for (const SpringSupport<dim>& springs : parts.supports.springs) {
+    sprung_.push_back(contact_patches<dim>(parts.mesh, springs.facets, {}, parts.section()));
+    largest_load_ += springs.history.largest() * pull_of(springs, parts).rowwise().norm().sum();
+  }
 }
 
 template <int dim>
@@ -94,7 +99,22 @@ std::vector<Twist<dim>> Foundation<dim>::loads(const std::vector<Pose<dim>>& pos
                 forces);
     }
   }
+  add_springs(poses, at, forces);
   return forces;
+}
+
+template <int dim>
+void Foundation<dim>::add_springs(const std::vector<Pose<dim>>& poses, LoadTime at,
+                                  std::vector<Twist<dim>>& forces) const {
+  for (std::size_t k = 0; k < sprung_.size(); ++k) {
+    const SpringSupport<dim>& springs = parts_.supports.springs[k];
+    const Vector<dim> ends = springs.history.factor(at.t, at.within) * springs.displacement;
+    for (const ContactPatch<dim>& patch : sprung_[k]) {
+      const std::size_t part = part_of_[patch.node];
+      const Vector<dim> x = poses[part] * x_[patch.node], moved = x - parts_.mesh.nodes[patch.node];
+      add_force(part, x, patch.initial_area * springs.stiffness.cwiseProduct(ends - moved), forces);
+    }
+  }
 }
 
 template <int dim>

@@ -32,12 +32,12 @@ public:
   Foundation(const AssemblyParts<dim>& parts, const std::vector<RigidPart<dim>>& rigid,
              std::vector<Vector<dim>> x, const std::vector<BodyPlace<dim>>& places);
 
-  /// Of the loads at a time, on each part.
+  /// Of the loads at a time, and of springs that press like them, on each part.
   std::vector<Twist<dim>> loads(const std::vector<Pose<dim>>& poses, LoadTime at) const;
   /// Adds what contact does to it. Finds again which facets may meet where parts have moved.
   void add_contact(const std::vector<Pose<dim>>& poses, const FoundationLaw& law,
                    std::vector<Twist<dim>>& forces);
-  /// All loads at their largest factors, without regard to their directions [force].
+  /// All of these at their largest factors, without regard to their directions [force].
   double largest_load() const { return largest_load_; }
   /// The largest overlap that the last call of it met [length].
   double deepest() const { return deepest_; }
@@ -72,6 +72,8 @@ private:
   bool has_moved(const std::vector<Pose<dim>>& poses) const;
   void add_side(const Side& side, const std::vector<Pose<dim>>& poses, const FoundationLaw& law,
                 std::vector<Twist<dim>>& forces);
+  void add_springs(const std::vector<Pose<dim>>& poses, LoadTime at,
+                   std::vector<Twist<dim>>& forces) const;
   void add_force(std::size_t part, const Vector<dim>& x, const Vector<dim>& force,
                  std::vector<Twist<dim>>& forces) const;
 
@@ -82,6 +84,7 @@ private:
   std::vector<Side> sides_;
   std::vector<char> touches_;
   std::vector<std::vector<ContactPatch<dim>>> pressed_;  // by load: patches of its pressure
+  std::vector<std::vector<ContactPatch<dim>>> sprung_;   // by springs; empty: they hold
   std::vector<Pose<dim>> found_at_;
   double margin_ = 0, deepest_ = 0, facet_size_ = 0, largest_load_ = 0;
 };

@@ -19,15 +19,15 @@ Vector<dim> resultant(const Load<dim>& load, const AssemblyParts<dim>& parts) {
 /// each other then, the largest of their history; of pairs that loads press from both sides, half
 /// of the sum of their sizes.
 template <int dim>
-double load_along_approach(const AssemblyParts<dim>& parts) {
+double load_along_approach(const AssemblyParts<dim>& parts, const std::vector<Load<dim>>& loads) {
   constexpr double rounding = 1e-12;
   std::vector<double> along;
-  for (const Load<dim>& load : parts.loads)
+  for (const Load<dim>& load : loads)
     along.push_back(resultant(load, parts).dot(parts.interface.partner.approach));
   const auto sum = [&](auto factor) {
     double net = 0, whole = 0;
     for (std::size_t k = 0; k < along.size(); ++k) {
-      const double force = factor(parts.loads[k].history) * along[k];
+      const double force = factor(loads[k].history) * along[k];
       net += force;
       whole += std::abs(force);
     }
@@ -36,7 +36,7 @@ double load_along_approach(const AssemblyParts<dim>& parts) {
   };
   double most = sum([](const LoadHistory&) { return 1.0; });
   if (most > 0) return most;
-  for (const Load<dim>& load : parts.loads)
+  for (const Load<dim>& load : loads)
     for (const double t : load.history.times())
       most = std::max(most, sum([t](const LoadHistory& history) { return history.factor(t); }));
   return most;
@@ -45,32 +45,68 @@ double load_along_approach(const AssemblyParts<dim>& parts) {
 /// All loads, without regard to their directions, of pairs with a body that may turn: those across
 /// the approach press by their torques. Their levers are not known here.
 template <int dim>
-double load_on_levers(const AssemblyParts<dim>& parts) {
+double load_on_levers(const AssemblyParts<dim>& parts, const std::vector<Load<dim>>& loads,
+                      SpringsHold springs) {
   constexpr double rounding = 1e-6;
   if (parts.pairs.empty()) return 0;
-  const bool turns =
-      std::ranges::any_of(rigid_parts(parts, parts.mesh.nodes), [](const RigidPart<dim>& part) {
+  const bool turns = std::ranges::any_of(
+      rigid_parts(parts, parts.mesh.nodes, springs), [](const RigidPart<dim>& part) {
         return part.loose.bottomRows(rigid_motions_of(dim) - dim).norm() > rounding;
       });
   double whole = 0;
-  for (const Load<dim>& load : parts.loads)
+  for (const Load<dim>& load : loads)
     whole += load.forces.size() > 0
                  ? load.forces.rowwise().norm().sum()  // a moment has no resultant
                  : resultant(load, parts).norm();
   return turns ? whole : 0;
 }
 
+/// What presses bodies of these loads.
+template <int dim>
+double force_of(const AssemblyParts<dim>& parts, const std::vector<Load<dim>>& loads,
+                SpringsHold springs) {
+  constexpr double across = 0.1;
+  const double along = load_along_approach(parts, loads),
+               levers = load_on_levers(parts, loads, springs);
+  return along < across * levers ? levers : along;
+}
+
+/// How far the other ends of springs move, at most.
+template <int dim>
+double moved_by_springs(const AssemblyParts<dim>& parts) {
+  double most = 0;
+  for (const SpringSupport<dim>& springs : parts.supports.springs)
+    most = std::max(most, springs.displacement.cwiseAbs().maxCoeff() * springs.history.largest());
+  return most;
+}
+
 /// Of all springs whose other ends move, at most: of unlike directions more than there is.
 template <int dim>
-double force_of_springs(const AssemblyParts<dim>& parts) {
+double all_of_springs(const AssemblyParts<dim>& parts) {
   double sum = 0;
-  for (const SpringSupport<dim>& springs : parts.supports.springs) {
-    const double traction =
-        springs.stiffness.cwiseProduct(springs.displacement).norm() * springs.history.largest();
-    for (const auto& patch : contact_patches<dim>(parts.mesh, springs.facets, {}, parts.section()))
-      sum += traction * patch.initial_area;
-  }
+  for (const SpringSupport<dim>& springs : parts.supports.springs)
+    sum += pull_of(springs, parts).rowwise().norm().sum() * springs.history.largest();
   return sum;
+}
+
+/// Whether one of the bodies rests on what it touches by nothing but such springs.
+template <int dim>
+bool rests_by_springs(const AssemblyParts<dim>& parts) {
+  for (const RigidPart<dim>& part : rigid_parts(parts, parts.mesh.nodes, SpringsHold::no))
+    for (const SpringSupport<dim>& springs : parts.supports.springs)
+      if (part.loose.cols() > 0 && !springs.displacement.isZero(0) &&
+          part.has(springs.facets.front()[0]))
+        return true;
+  return false;
+}
+
+/// What they press like loads.
+template <int dim>
+double force_of_springs(const AssemblyParts<dim>& parts) {
+  std::vector<Load<dim>> pulls;
+  for (const SpringSupport<dim>& springs : parts.supports.springs)
+    pulls.push_back({.forces = springs.history.largest() * pull_of(springs, parts)});
+  return force_of(parts, pulls, SpringsHold::no);
 }
 
 /// How far the bodies are brought into each other where no force presses them.
@@ -110,21 +146,24 @@ double overlap_at_rest(const std::vector<ContactPatch<dim>>& nodes, const Counte
 template <int dim>
 Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   const Interface<dim>& interface = parts.interface;
-  constexpr double across = 0.1;
   double most_load = 0;
   for (const Phase<dim>& phase : parts.instants()) most_load = std::max(most_load, phase.load);
   double force = interface.force ? *interface.force / interface.partner.guides.front().share
-                                 : most_load * load_along_approach(parts);
+                                 : most_load * force_of(parts, parts.loads, SpringsHold::yes);
   Pressing press{.overlap = given_overlap(parts)};
-  double moved = 0;
-  for (const SpringSupport<dim>& springs : parts.supports.springs)
-    moved = std::max(moved, springs.displacement.cwiseAbs().maxCoeff() * springs.history.largest());
-  if (moved > press.overlap) {
+  const double moved = moved_by_springs(parts);
+  if (moved > 0 && rests_by_springs(parts)) {
+    // What overlaps, like a cam that lifts, is moved by so much against the springs.
+    press.springs = all_of_springs(parts) * (1 + press.overlap / moved);
+    press.overlap += moved;
+    if (force < force_of_springs(parts)) {
+      press.springs += force;
+      force = 0;
+    }
+  } else if (moved > press.overlap) {
     press.overlap = moved;
-    press.springs = force_of_springs(parts);
+    press.springs = all_of_springs(parts);
   }
-  if (const double levers = most_load * load_on_levers(parts); force < across * levers)
-    force = levers;
   press.force = force;
   press.impulse = force * interface.history.integral(duration);
   return press;

@@ -23,7 +23,10 @@ public:
   /// `x`: of the nodes, in space.
   Settling(const AssemblyParts<dim>& parts, const std::vector<Vector<dim>>& x,
            const std::vector<BodyPlace<dim>>& places)
-      : parts_(parts), rigid_(rigid_parts(parts, x)), foundation_(parts, rigid_, x, places) {
+      : parts_(parts),
+        springs_(springs_hold(parts)),
+        rigid_(rigid_parts(parts, x, springs_)),
+        foundation_(parts, rigid_, x, places) {
     for (std::size_t k = 0; k < rigid_.size(); ++k) {
       if (!foundation_.touches(k)) rigid_[k].loose.resize(rigid_motions_of(dim), 0);
       unknowns_ += rigid_[k].loose.cols();
@@ -202,7 +205,7 @@ private:
       for (const int node : rigid_[k].nodes) now[static_cast<std::size_t>(node)] = place(k, node);
     for (RigidPart<dim>& part : rigid_)
       if (const Eigen::Index count = part.loose.cols(); count > 0)
-        part.loose = loose_twists(parts_, part, now, count);
+        part.loose = loose_twists(parts_, part, now, count, springs_);
   }
 
   bool rest(double depth, LoadTime at, double force) {
@@ -250,6 +253,7 @@ private:
   }
 
   const AssemblyParts<dim>& parts_;
+  SpringsHold springs_;
   std::vector<RigidPart<dim>> rigid_;
   Foundation<dim> foundation_;
   std::vector<Pose<dim>> poses_;
@@ -271,6 +275,7 @@ template <int dim>
 bool wedged(const AssemblyParts<dim>& parts) {
   AssemblyParts<dim> left_alone = parts;  // friction would drag them
   left_alone.loads.clear();
+  for (SpringSupport<dim>& springs : left_alone.supports.springs) springs.displacement.setZero();
   for (MortarPair<dim>& pair : left_alone.pairs) pair.friction = 0;
   return Settling<dim>(left_alone, parts.mesh.nodes, {}).is_wedged();
 }
@@ -328,10 +333,15 @@ RigidBalance<dim>::RigidBalance(const AssemblyParts<dim>& parts,
   if (parts.pairs.empty()) return;
   Settling<dim> settling(parts, in_space(parts.pairs, places, x), places);
   if (!settling.is_free(!places.empty()) || (!places.empty() && settling.frees_placed()) ||
-      !settling.is_driven() || supports_press(parts))
+      !settling.is_driven() || !parts.supports.moved.empty() ||
+      (places.empty() && supports_press(parts)))
     return;
   double softest = 0;
   std::tie(doubt, softest) = start(settling, parts.scales);
+  if (springs_hold(parts) == SpringsHold::no && !doubt.empty()) {
+    doubt.clear();  // elastic bodies rest where the springs press them
+    return;
+  }
   if (!doubt.empty()) return;
   const std::vector<RigidPart<dim>>& rigid = settling.rigid();
   settled = true;

@@ -44,8 +44,16 @@ Eigen::Transform<double, dim, Eigen::Affine> moved_by(const Twist<dim>& twist,
 }
 
 template <int dim>
+SpringsHold springs_hold(const AssemblyParts<dim>& parts) {
+  return std::ranges::all_of(parts.supports.springs,
+                             [](const auto& each) { return each.displacement.isZero(0); })
+             ? SpringsHold::yes
+             : SpringsHold::no;
+}
+
+template <int dim>
 Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
-                         const std::vector<Vector<dim>>& x) {
+                         const std::vector<Vector<dim>>& x, SpringsHold springs_hold) {
   constexpr int motions = rigid_motions_of(dim);
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(motions, motions);
   if (dim == 2 && parts.section() == Section::meridian)  // it moves along the axis alone
@@ -58,6 +66,7 @@ Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& 
   for (const int node : part.nodes)
     for (int i = 0; i < dim; ++i)
       if (parts.supports.held(node, i)) hold(node, i);
+  if (springs_hold == SpringsHold::no) return held;
   for (const SpringSupport<dim>& springs : parts.supports.springs)
     for (const auto& facet : springs.facets)
       for (const int node : facet)
@@ -68,13 +77,14 @@ Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& 
 
 template <int dim>
 Eigen::MatrixXd loose_twists(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
-                             const std::vector<Vector<dim>>& x, Eigen::Index count) {
-  return spectrum_of(resisted(parts, part, x)).vectors.leftCols(count);
+                             const std::vector<Vector<dim>>& x, Eigen::Index count,
+                             SpringsHold springs) {
+  return spectrum_of(resisted(parts, part, x, springs)).vectors.leftCols(count);
 }
 
 template <int dim>
 std::vector<RigidPart<dim>> rigid_parts(const AssemblyParts<dim>& parts,
-                                        const std::vector<Vector<dim>>& x) {
+                                        const std::vector<Vector<dim>>& x, SpringsHold springs) {
   constexpr double nothing = 1e-9;
   const std::vector<int> number = connected_parts(parts.mesh);
   std::vector<RigidPart<dim>> result;
@@ -92,7 +102,7 @@ std::vector<RigidPart<dim>> rigid_parts(const AssemblyParts<dim>& parts,
       part.centre += x[node] / static_cast<double>(part.nodes.size());
     for (const int node : part.nodes)
       part.size = std::max(part.size, (x[node] - part.centre).norm());
-    const Spectrum spectrum = spectrum_of(resisted(parts, part, x));
+    const Spectrum spectrum = spectrum_of(resisted(parts, part, x, springs));
     const double most = std::max(1.0, spectrum.values.maxCoeff());
     part.loose = spectrum.vectors.leftCols((spectrum.values.array() <= nothing * most).count());
   }
@@ -175,18 +185,20 @@ template Eigen::Transform<double, 2, Eigen::Affine> moved_by<2>(const Twist<2>&,
                                                                 double);
 template Eigen::Transform<double, 3, Eigen::Affine> moved_by<3>(const Twist<3>&, const Vector<3>&,
                                                                 double);
+template SpringsHold springs_hold(const AssemblyParts<2>&);
+template SpringsHold springs_hold(const AssemblyParts<3>&);
 template Eigen::MatrixXd resisted(const AssemblyParts<2>&, const RigidPart<2>&,
-                                  const std::vector<Vector<2>>&);
+                                  const std::vector<Vector<2>>&, SpringsHold);
 template Eigen::MatrixXd resisted(const AssemblyParts<3>&, const RigidPart<3>&,
-                                  const std::vector<Vector<3>>&);
+                                  const std::vector<Vector<3>>&, SpringsHold);
 template Eigen::MatrixXd loose_twists(const AssemblyParts<2>&, const RigidPart<2>&,
-                                      const std::vector<Vector<2>>&, Eigen::Index);
+                                      const std::vector<Vector<2>>&, Eigen::Index, SpringsHold);
 template Eigen::MatrixXd loose_twists(const AssemblyParts<3>&, const RigidPart<3>&,
-                                      const std::vector<Vector<3>>&, Eigen::Index);
+                                      const std::vector<Vector<3>>&, Eigen::Index, SpringsHold);
 template std::vector<RigidPart<2>> rigid_parts(const AssemblyParts<2>&,
-                                               const std::vector<Vector<2>>&);
+                                               const std::vector<Vector<2>>&, SpringsHold);
 template std::vector<RigidPart<3>> rigid_parts(const AssemblyParts<3>&,
-                                               const std::vector<Vector<3>>&);
+                                               const std::vector<Vector<3>>&, SpringsHold);
 template std::string description_of(const Twist<2>&, const RigidPart<2>&, Section);
 template std::string description_of(const Twist<3>&, const RigidPart<3>&, Section);
 

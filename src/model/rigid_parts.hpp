@@ -31,24 +31,32 @@ struct RigidPart {
   std::vector<int> nodes;  ///< of the mesh, ascending
   Vector<dim> centre;      ///< mean of them [length]
   double size = 0;         ///< of the farthest from there [length]
-  Eigen::MatrixXd loose;   ///< in the columns: twists that no support and no spring holds
+  Eigen::MatrixXd loose;   ///< in the columns: twists that no support holds, nor a spring
 
   bool has(int node) const { return std::ranges::binary_search(nodes, node); }
 };
 
+/// Whether springs hold what they are on, or let it move as loads do.
+enum class SpringsHold : bool { no, yes };
+/// Springs whose other ends move press like loads.
+template <int dim>
+SpringsHold springs_hold(const AssemblyParts<dim>& parts);
+
 /// Of all parts; the nodes are at `x`.
 template <int dim>
 std::vector<RigidPart<dim>> rigid_parts(const AssemblyParts<dim>& parts,
-                                        const std::vector<Vector<dim>>& x);
+                                        const std::vector<Vector<dim>>& x,
+                                        SpringsHold springs = SpringsHold::yes);
 /// What supports, and springs, resist of the twists of a part, of which each held direction of a
 /// node adds one: symmetric, positive.
 template <int dim>
 Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
-                         const std::vector<Vector<dim>>& x);
+                         const std::vector<Vector<dim>>& x, SpringsHold springs = SpringsHold::yes);
 /// The `count` twists in which supports resist least, where the nodes have moved.
 template <int dim>
 Eigen::MatrixXd loose_twists(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
-                             const std::vector<Vector<dim>>& x, Eigen::Index count);
+                             const std::vector<Vector<dim>>& x, Eigen::Index count,
+                             SpringsHold springs);
 
 /// A body that has cells in the part.
 template <int dim>

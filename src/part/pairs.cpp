@@ -68,7 +68,7 @@ Vector<dim> turned_by_loads(const AssemblyParts<dim>& parts, const NodalField<di
   const std::set<int> nodes = nodes_of_facets(facets);
   Vector<dim> middle = Vector<dim>::Zero();
   for (const int node : nodes) middle += parts.mesh.nodes[node] / double(nodes.size());
-  for (const RigidPart<dim>& part : rigid_parts(parts, parts.mesh.nodes)) {
+  for (const RigidPart<dim>& part : rigid_parts(parts, parts.mesh.nodes, springs_hold(parts))) {
     if (part.loose.cols() == 0 || !part.has(*nodes.begin())) continue;
     const auto velocities = [&](const Vector<dim>& x) {
       return rigid_velocities<dim>(x, part.centre, part.size);
@@ -102,6 +102,7 @@ Vector<dim> approach_of(const MortarPair<dim>& pair, const AssemblyParts<dim>& p
   NodalField<dim> forces =
       NodalField<dim>::Zero(static_cast<Eigen::Index>(parts.mesh.nodes.size()), dim);
   for (const Load<dim>& each : parts.loads) forces += forces_of(each, parts);
+  for (const SpringSupport<dim>& each : parts.supports.springs) forces += pull_of(each, parts);
   if (parts.section() == Section::meridian) forces.col(0).setZero();  // all around: no resultant
   for (std::size_t node = 0; node < body_of.size(); ++node)
     for (std::size_t side = 0; side < 2; ++side) {

@@ -10,7 +10,8 @@ namespace gnomon {
 template <int dim>
 double overlap_at_rest(const std::vector<ContactPatch<dim>>& nodes, const CounterBody<dim>& other);
 
-/// What brings the bodies together: a force, or without one a displacement.
+/// What brings the bodies together: a force, or where springs press more, or without one, a
+/// displacement.
 struct Pressing {
   double force = 0;    ///< the largest of a cycle, at factor one
   double impulse = 0;  ///< its integral over the run [force time]
