@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <gnomon/base/processes.hpp>
+#include <map>
 #include <set>
 
 #include "mesh/facet_table.hpp"
@@ -33,18 +34,47 @@ bool acts_on_bodies(TermKind kind) {
   return kind == TermKind::body || kind == TermKind::load || kind == TermKind::spring;
 }
 
-/// Where forces act: on the deformed bodies; with small strains they balance on the undeformed.
+/// By node: the connected part of the mesh whose travel stands for its displacement, or -1. Forces
+/// on bodies with small strains balance where these are undeformed, wherever they have travelled.
+template <int dim>
+std::vector<int> undeformed_parts(const Assembly<dim>& assembly) {
+  std::vector<int> part_of = connected_parts(assembly.mesh);
+  std::set<int> small;
+  for (std::size_t cell = 0; cell < assembly.body_of.size(); ++cell) {
+    const Body& body = assembly.bodies[static_cast<std::size_t>(assembly.body_of[cell])];
+    if (body.element.kinematics == Kinematics::small)
+      small.insert(part_of[static_cast<std::size_t>(assembly.mesh.cells[cell].front())]);
+  }
+  for (int& part : part_of)
+    if (!small.contains(part)) part = -1;
+  return part_of;
+}
+
+/// u, and of nodes of undeformed parts the mean of u over their part.
+template <int dim>
+NodalField<dim> travels(NodalField<dim> u, const std::vector<int>& part_of) {
+  std::map<int, std::pair<double, Eigen::RowVector<double, dim>>> sums;
+  for (Eigen::Index node = 0; node < u.rows(); ++node) {
+    auto& [count, sum] = sums.try_emplace(part_of[static_cast<std::size_t>(node)], 0,
+                                          Vector<dim>::Zero().transpose())
+                             .first->second;
+    count += 1;
+    sum += u.row(node);
+  }
+  for (Eigen::Index node = 0; node < u.rows(); ++node)
+    if (const int part = part_of[static_cast<std::size_t>(node)]; part >= 0)
+      u.row(node) = sums.at(part).second / sums.at(part).first;
+  return u;
+}
+
+/// Where forces act.
 template <int dim>
 NodalField<dim> places_of(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
-                          const WornBodyFields& fields) {
-  const Assembly<dim>& assembly = equations.assembly();
-  NodalField<dim> places = equations.shape_of_cells(values);
+                          const WornBodyFields& fields, const std::vector<int>& undeformed) {
+  NodalField<dim> places =
+      equations.shape_of_cells(values) + travels<dim>(values.vector(fields.u), undeformed);
   for (Eigen::Index node = 0; node < places.rows(); ++node)
-    places.row(node) += assembly.mesh.nodes[static_cast<std::size_t>(node)].transpose();
-  const bool small = std::ranges::any_of(assembly.bodies, [](const Body& body) {
-    return body.element.kinematics == Kinematics::small;
-  });
-  if (!small) places += values.vector(fields.u);
+    places.row(node) += equations.assembly().mesh.nodes[static_cast<std::size_t>(node)].transpose();
   return places;
 }
 
@@ -146,7 +176,8 @@ Resultants<dim>::Resultants(WornBodyEquations<dim> equations)
       all_(numbering_of(equations_, false)),
       held_(numbering_of(equations_, true)),
       body_of_(body_of_nodes(equations_.assembly().mesh, equations_.assembly().body_of)),
-      pair_of_(pair_of_slaves(equations_.assembly())) {
+      pair_of_(pair_of_slaves(equations_.assembly())),
+      undeformed_(undeformed_parts(equations_.assembly())) {
   for (std::size_t k = 0; k < equations_.kinds().size(); ++k) {
     const TermKind kind = equations_.kinds()[k].kind;
     terms_.push_back(acts_on_bodies(kind) ? equations_.composition()->terms[k](of_kind(kind))
@@ -191,7 +222,7 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
     const double weight = assembly.copies * equations_.phases()[p].weight;
     const InSpace<dim> in_space(body_of_, equations_.phases()[p].places);
     const NodalField<dim> places =
-        in_space.points(places_of(equations_, values, equations_.fields(p)));
+        in_space.points(places_of(equations_, values, equations_.fields(p), undeformed_));
     const NodalField<dim> load = of(values, t, {TermKind::load, p});
     NodalField<dim> others = load + of(values, t, {TermKind::body, p});
     sum.add_all(loads, weight, places, in_space.forces(load));

@@ -38,9 +38,10 @@ private:
   const Numbering& of_kind(TermKind kind) const { return kind == TermKind::body ? held_ : all_; }
 
   WornBodyEquations<dim> equations_;
-  Numbering all_, held_;      // of all values of u, and of those that supports hold
-  std::vector<int> body_of_;  // by node of the mesh
-  std::vector<int> pair_of_;  // by contact node: the pair whose slave it belongs to alone, or -1
+  Numbering all_, held_;         // of all values of u, and of those that supports hold
+  std::vector<int> body_of_;     // by node of the mesh
+  std::vector<int> pair_of_;     // by contact node: the pair whose slave it belongs to alone, or -1
+  std::vector<int> undeformed_;  // by node: the part of the mesh whose travel places it, or -1
   std::vector<std::unique_ptr<Term<dim>>> terms_;  // null where a term exerts no force on a body
 };
 
