@@ -7,6 +7,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <limits>
+#include <utility>
 
 #include "model/phase_error.hpp"
 
@@ -105,20 +106,36 @@ ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
   return result;
 }
 
+namespace {
+
+/// With the fewest phases in some of which something presses the bodies, and how many.
+template <int dim>
+std::pair<AssemblyParts<dim>, long> with_pressing_phases(
+    const std::function<AssemblyParts<dim>(long phases)>& with) {
+  for (long count = fewest_chosen_phases; count < most_chosen_phases; count *= 2) try {
+      return {with(count), count};
+    } catch (const NothingPresses&) {
+      continue;
+    }
+  return {with(most_chosen_phases), most_chosen_phases};
+}
+
+}  // namespace
+
 template <int dim>
 AssemblyParts<dim> with_chosen_phases(const Scene& scene,
                                       const std::function<AssemblyParts<dim>(long phases)>& with) {
   const double tolerance = phase_tolerance(scene);
-  AssemblyParts<dim> parts = with(fewest_chosen_phases);
+  auto [parts, fewest] = with_pressing_phases<dim>(with);
   std::string remark;
   try {
     const ChosenPhases chosen =
         choose_phases<dim>(std::make_shared<const Assembly<dim>>(parts), tolerance);
     remark = remark_on_choice(chosen, tolerance);
-    if (chosen.count != fewest_chosen_phases) parts = with(chosen.count);
+    if (chosen.count != fewest) parts = with(chosen.count);
   } catch (const SolutionError& error) {
-    remark = fmt::format("cycle.phases = \"auto\": {} phases, more cannot be compared: {}",
-                         fewest_chosen_phases, error.what());
+    remark = fmt::format("cycle.phases = \"auto\": {} phases, more cannot be compared: {}", fewest,
+                         error.what());
   }
   parts.remarks.push_back(remark);
   return parts;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <gnomon/base/error.hpp>
 #include <gnomon/model/assembly.hpp>
 
 #include "part/part_cycle.hpp"
@@ -27,8 +28,14 @@ template <int dim>
 void require_forces(const Scene& scene, const std::vector<Phase<dim>>& phases,
                     const std::string& press, std::optional<double> largest);
 
+/// Nothing presses the bodies on each other: in other phases something may.
+struct NothingPresses : InputError {
+  using InputError::InputError;
+};
+
 /// The parts `with` a number of phases that fits the tolerance of the scene (phase_tolerance()) at
-/// the initial shape; a remark says which. Where the deformation is not found, the fewest.
+/// the initial shape; a remark says which. Where the deformation is not found, the fewest in some
+/// of which bodies press on each other.
 template <int dim>
 AssemblyParts<dim> with_chosen_phases(const Scene& scene,
                                       const std::function<AssemblyParts<dim>(long phases)>& with);

@@ -62,11 +62,12 @@ Magnitudes find_magnitudes(const Scene& scene, const AssemblyParts<dim>& parts) 
   const double duration = scene.real("time.end");
   const Pressing press = pressing_of(parts, duration);
   if (press.force == 0 && press.overlap == 0)
-    throw InputError(fmt::format(
+    throw NothingPresses(fmt::format(
         "{}: expected something that presses the bodies on each other: {}a [[load]] "
-        "against the {}, or a [[support]] with value",
+        "against the {}, or a [[support]] with value{}",
         scene.path().string(), parts.pairs.empty() ? "counter_body.press.force or .approach, " : "",
-        parts.pairs.empty() ? "counter-body" : "other body"));
+        parts.pairs.empty() ? "counter-body" : "other body",
+        parts.cycle && !parts.pairs.empty() ? ", or phases in which bodies overlap" : ""));
   return magnitudes_of(parts, duration);
 } catch (const RecoverableError& error) {
   throw unsound_law(scene, error);
