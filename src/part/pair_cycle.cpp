@@ -6,6 +6,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
+#include <gnomon/shapes/counter_surface.hpp>
 #include <limits>
 #include <map>
 
@@ -61,15 +62,36 @@ void read_cycle_of_bodies(const Scene& scene, const std::map<std::string, BodyCy
 
 namespace {
 
-/// At positions that are equally far apart; one, at rest, without a cycle.
+/// In the middles of equal parts of the cycle.
+template <int dim>
+std::vector<std::vector<BodyPlace<dim>>> places_at(const CyclicMotion<dim>& motion, int count) {
+  std::vector<std::vector<BodyPlace<dim>>> all;
+  for (int k = 0; k < count; ++k) {
+    std::vector<BodyPlace<dim>>& places = all.emplace_back();
+    for (const BodyCycle<dim>& body : motion.bodies) places.push_back(body.at((k + 0.5) / count));
+  }
+  return all;
+}
+
+/// Around each body.
+template <int dim>
+std::vector<Box<dim>> boxes_of(const AssemblyParts<dim>& parts) {
+  std::vector<std::vector<Vector<dim>>> x(parts.bodies.size());
+  const std::vector<int> body_of = body_of_cells(parts.bodies, parts.mesh.cells.size());
+  for (std::size_t cell = 0; cell < body_of.size(); ++cell)
+    for (const int node : parts.mesh.cells[cell])
+      x[static_cast<std::size_t>(body_of[cell])].push_back(
+          parts.mesh.nodes[static_cast<std::size_t>(node)]);
+  std::vector<Box<dim>> boxes;
+  for (const auto& of_body : x) boxes.push_back(Box<dim>::around(of_body));
+  return boxes;
+}
+
+/// At the sampled positions; one, at rest, without a cycle.
 template <int dim>
 std::vector<std::vector<BodyPlace<dim>>> sampled_places(const AssemblyParts<dim>& parts) {
   if (!parts.cycle) return {{}};
-  std::vector<std::vector<BodyPlace<dim>>> all(samples);
-  for (int k = 0; k < samples; ++k)
-    for (const BodyCycle<dim>& body : parts.cycle->motion.bodies)
-      all[static_cast<std::size_t>(k)].push_back(body.at((k + 0.5) / samples));
-  return all;
+  return places_at(parts.cycle->motion, samples);
 }
 
 }  // namespace
@@ -79,6 +101,27 @@ std::vector<std::vector<BodyPlace<dim>>> places_over_cycle(const AssemblyParts<d
   std::vector<std::vector<BodyPlace<dim>>> all;
   for (const Phase<dim>& phase : parts.phases) all.push_back(phase.places);
   for (auto& places : sampled_places(parts)) all.push_back(std::move(places));
+  return all;
+}
+
+template <int dim>
+std::vector<std::vector<BodyPlace<dim>>> close_places_over_cycle(const AssemblyParts<dim>& parts) {
+  constexpr int most = dim == 2 ? 16 : 4;  // times as many as at least
+  if (!parts.cycle) return {{}};
+  auto all = places_at(parts.cycle->motion, samples);
+  const std::vector<Box<dim>> boxes = boxes_of(parts);
+  double smallest = std::numeric_limits<double>::infinity(), farthest = 0;
+  for (std::size_t body = 0; body < boxes.size(); ++body) {
+    const auto& [low, high] = boxes[body];
+    smallest = std::min(smallest, (high - low).minCoeff());
+    for (std::size_t k = 0; k < all.size(); ++k)
+      for (const Vector<dim>& corner : {low, high})
+        farthest =
+            std::max(farthest,
+                     (all[k][body].of(corner) - all[(k + 1) % all.size()][body].of(corner)).norm());
+  }
+  const double times = std::ceil(farthest / (smallest / 2));
+  if (times > 1) all = places_at(parts.cycle->motion, samples * int(std::min<double>(times, most)));
   return all;
 }
 
@@ -202,6 +245,8 @@ template void read_phases_of_pairs(const Scene&, AssemblyParts<2>&);
 template void read_phases_of_pairs(const Scene&, AssemblyParts<3>&);
 template std::vector<std::vector<BodyPlace<2>>> places_over_cycle(const AssemblyParts<2>&);
 template std::vector<std::vector<BodyPlace<3>>> places_over_cycle(const AssemblyParts<3>&);
+template std::vector<std::vector<BodyPlace<2>>> close_places_over_cycle(const AssemblyParts<2>&);
+template std::vector<std::vector<BodyPlace<3>>> close_places_over_cycle(const AssemblyParts<3>&);
 template double mean_sliding_speed(const AssemblyParts<2>&, const MortarPair<2>&);
 template double mean_sliding_speed(const AssemblyParts<3>&, const MortarPair<3>&);
 

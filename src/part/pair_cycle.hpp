@@ -25,6 +25,11 @@ void read_phases_of_pairs(const Scene& scene, AssemblyParts<dim>& parts);
 template <int dim>
 std::vector<std::vector<BodyPlace<dim>>> places_over_cycle(const AssemblyParts<dim>& parts);
 
+/// Without the phases, and at so many positions that no body is moved by more than about half of
+/// the smallest one from one to the next, or at the most that is worth while.
+template <int dim>
+std::vector<std::vector<BodyPlace<dim>>> close_places_over_cycle(const AssemblyParts<dim>& parts);
+
 /// The speed at which a pair slides where it first touches, its mean over the cycle: that of
 /// nominal_speed(), where the scene gives none [length / time].
 template <int dim>

@@ -60,5 +60,38 @@ TEST_F(ShortContact, PhasesThatAllMissItAreRefused) {
               HasSubstr("or phases in which bodies overlap"));
 }
 
+/// A pin of 1 mm, and a plate of 100 mm below it, which moves by 4.4 mm in a 64th of the cycle.
+constexpr const char* long_plate = R"scene(
+problem = "worn_body"
+mesh.file = "long.geo"
+pair = [ { bodies = ["pin", "plate"] } ]
+body = [ { name = "pin", young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" },
+         { name = "plate", young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" } ]
+motion = [ { body = "plate", cycle = { x = "45*sin(2*pi*tau)" } } ]
+support = [ { on = "base" }, { on = "top", directions = ["x"] } ]
+load = [ { on = "top", force = [0.0, -10.0] } ]
+wear = { on = ["foot", "face"], coefficient = 1e-7 }
+cycle.period = 1.0
+time.cycles = 100
+)scene";
+
+// In the one phase, and in the two, the plate is in the middle, where the pin passes fastest.
+TEST_F(ShortContact, APinMeetsAPlateThatPassesFast) {
+  folder_.write("long.geo", R"(
+Point(1) = {-0.5, 0, 0, 0.25}; Point(2) = {0.5, 0, 0, 0.25}; Point(3) = {0.5, 1, 0, 0.25};
+Point(4) = {-0.5, 1, 0, 0.25}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4};
+Line(4) = {4, 1}; Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};
+Point(11) = {-50, 0, 0, 0.5}; Point(12) = {50, 0, 0, 0.5}; Point(13) = {50, -3, 0, 1.5};
+Point(14) = {-50, -3, 0, 1.5};
+Line(11) = {11, 14}; Line(12) = {14, 13}; Line(13) = {13, 12}; Line(14) = {12, 11};
+Curve Loop(11) = {11 : 14}; Plane Surface(11) = {11};
+Physical Surface("pin") = {1}; Physical Surface("plate") = {11};
+Physical Curve("foot") = {1}; Physical Curve("top") = {3}; Physical Curve("base") = {12};
+Physical Curve("face") = {14};
+)");
+  for (const char* phases : {"cycle.phases=1", "cycle.phases=2"})
+    EXPECT_EQ(refusal(long_plate, {phases}), "") << phases;
+}
+
 }  // namespace
 }  // namespace gnomon::short_contact_test
