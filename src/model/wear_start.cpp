@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "base/spectrum.hpp"
+#include "model/connected_parts.hpp"
 #include "model/find_creepage.hpp"
 #include "model/path_march.hpp"
 #include "model/rigid_balance.hpp"
@@ -309,17 +310,36 @@ std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
 
 namespace {
 
+/// Where no load acts and nothing moves, bodies without contact are where they were at first.
+template <int dim>
+void require_unmoved(const Assembly<dim>& assembly, const NodalField<dim>& u,
+                     const Phase<dim>& phase) {
+  if (!assembly.loads.empty() || !assembly.swinging_loads.empty() || supports_press(assembly))
+    return;
+  Eigen::Index node = 0;
+  if (u.rowwise().norm().maxCoeff(&node) <= assembly.scales.displacement) return;
+  const std::vector<int> body_of = body_of_nodes(assembly.mesh, assembly.body_of);
+  throw SolutionError(fmt::format(
+      "no equilibrium was found at the start{}: contact has pushed \"{}\" by {:.3g} mm out of what "
+      "it touches, and nothing holds it there; stiffer springs in [[support]] may hold it",
+      assembly.cycle ? fmt::format(", at tau = {:.4g} of the cycle", phase.position) : "",
+      assembly.bodies[static_cast<std::size_t>(body_of[static_cast<std::size_t>(node)])].name,
+      u.row(node).norm()));
+}
+
 /// Without contact a body that supports leave free has no place: Newton's method has pushed it past
 /// what holds it.
 template <int dim>
-void require_touch(const Assembly<dim>& assembly, const Eigen::VectorXd& multipliers) {
-  if (assembly.pairs.empty() || !multipliers.isZero(0)) return;
+void require_touch(const Assembly<dim>& assembly, const FieldValues<dim>& values,
+                   const WornBodyFields& fields, const Phase<dim>& phase) {
+  if (assembly.pairs.empty() || !values.scalar(fields.lambda).isZero(0)) return;
   for (const RigidPart<dim>& part : rigid_parts(assembly, assembly.mesh.nodes))
     if (part.loose.cols() > 0)
       throw SolutionError(fmt::format(
           "the bodies do not touch at the start, and contact alone holds \"{0}\": its loads have "
           "pushed \"{0}\" past what it touches; are moduli given in MPa, and loads in N?",
           body_of_part(assembly, part).name));
+  require_unmoved(assembly, values.vector(fields.u), phase);
 }
 
 }  // namespace
@@ -341,7 +361,7 @@ State WearModel<dim>::start(Counters& counters) const {
         find_equilibrium(alone, contact, ramp_options(assembly()), of_phase, counters);
     if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly(), equations_.phases()[p]));
     if (alone.without_creepage() != alone.deformation()) find_creepage(alone, of_phase, counters);
-    require_touch<dim>(assembly(), of_phase.scalar(alone.fields().lambda));
+    require_touch<dim>(assembly(), of_phase, alone.fields(), equations_.phases()[p]);
     copy_phase(of_phase, alone.fields(), values, equations_.fields(p));
   }
   State state;
