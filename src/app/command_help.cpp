@@ -93,7 +93,7 @@ In ParaView open the .xdmf file; Warp By Vector with `shape` shows the worn body
 output.interval; the start and the end are always stored.
 
 The file is readable during the run, and after Ctrl-C, a failure or a crash it holds everything up
-to the last step. Ctrl-C and SIGTERM end a run after its step, with a checkpoint there. A run that
+to the last step. Ctrl-C and SIGTERM end a run at its last step, with a checkpoint there. A run that
 was resumed agrees with one that was not interrupted within the tolerance of Newton's method; bdf
 begins at order one. Without a checkpoint `gnomon resume` begins at the start. When a run is resumed,
 --set may change the end, tolerances and steps of the integrator, output.* and solver.*. The result

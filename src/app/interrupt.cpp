@@ -16,7 +16,7 @@ extern "C" void on_signal(int) {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, on_signal);  // METIS, which saves and restores it, leaves it for one signal
   if (!announced) return;
-  static const char text[] = "\ngnomon: ending after this step (or the start); Ctrl-C kills now\n";
+  static const char text[] = "\ngnomon: ending at the last step (or the start); Ctrl-C kills now\n";
   // Nothing can be done about a failure, and nothing else is safe here.
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text, sizeof text - 1);
 }

@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM end a run after its current step. Then Ctrl-C kills it, but SIGTERM does not:
+// Ctrl-C and SIGTERM end a run at its last step. Then Ctrl-C kills it, but SIGTERM does not:
 // a run of a study may get it twice, from a batch system that sends it to all processes of a job,
 // and from the study that ends. A run does not end when the reader of its progress has gone away.
 #pragma once

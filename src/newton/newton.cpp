@@ -2,6 +2,7 @@
 #include <kinsol/kinsol.h>
 
 #include <algorithm>
+#include <gnomon/newton/interruption.hpp>
 #include <gnomon/newton/newton.hpp>
 
 #include "newton/newton_policy.hpp"
@@ -88,6 +89,7 @@ private:
     constexpr int stop = 1;
     Memory& self = *static_cast<Memory*>(data);
     const int thrown = self.guard_.run([&] {
+      require_uninterrupted();
       const NewtonPolicy::Iterate iterate = self.iterate(y);
       self.verdict_ = self.policy_.judge(iterate);
       if (self.verdict_ != Verdict::go_on) return;

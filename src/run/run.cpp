@@ -6,6 +6,7 @@
 #include <gnomon/checks/checks.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/integrators/stop_times.hpp>
+#include <gnomon/newton/interruption.hpp>
 #include <gnomon/run/run.hpp>
 #include <limits>
 #include <set>
@@ -135,9 +136,17 @@ private:
       }
       if (!stepper_) make_stepper();
       const State before = state();
-      if (policy_.until || model().overdue || model().limit) memory_.stepper = stepper_->memory();
+      memory_.stepper = stepper_->memory();
       if (state().t >= early_end_) early_end_ = never, early_step_ = 0;
-      StepReport report = stepper_->advance(state(), std::min(schedule_.stop(), early_end_));
+      StepReport report;
+      try {
+        const Interruptible here(hooks_.interrupted);
+        report = stepper_->advance(state(), std::min(schedule_.stop(), early_end_));
+      } catch (const Interruption&) {
+        state() = before;
+        if (checkpoint_rows_ != last_checkpoint_.rows) keep_checkpoint();
+        return Status::interrupted;
+      }
       Observation observed = observe(report);
       if (model().overdue) come_near(before, report, observed);
       const std::optional<Limit> limit = stop_short(before, report, observed);
@@ -353,6 +362,10 @@ private:
 
   void write_checkpoint() {
     memory_.stepper = stepper_->memory();
+    keep_checkpoint();
+  }
+
+  void keep_checkpoint() {
     ++last_checkpoint_.number;
     last_checkpoint_.numbers = packed(memory_, model().system().structure());
     if (writer_) writer_->checkpoint(last_checkpoint_);

@@ -103,7 +103,7 @@ struct RunHooks {
   /// Called with the model and the last state of a finished run, and their observation, before the
   /// result is closed: its error budget as JSON, which the result keeps; empty: there is none.
   std::function<std::string(const Model&, const State&, const Observation&)> judge{};
-  /// Called after the start and after every step; true ends the run there.
+  /// Called after the start and every step, and within steps; true ends the run at the last one.
   std::function<bool()> interrupted = [] { return false; };
   /// Also within the start or a step; more fail.
   long most_newton_iterations = std::numeric_limits<long>::max();
