@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <gnomon/base/error.hpp>
 #include <gnomon/checks/checks.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
@@ -14,6 +13,7 @@
 #include "run/guards.hpp"
 #include "run/jump_ledger.hpp"
 #include "run/memory.hpp"
+#include "run/run_store.hpp"
 #include "run/store_schedule.hpp"
 
 namespace gnomon {
@@ -21,7 +21,6 @@ namespace gnomon {
 namespace {
 
 using Status = RunOutcome::Status;
-using Clock = std::chrono::steady_clock;
 
 class Runner {
 public:
@@ -32,7 +31,7 @@ public:
         settings_(settings),
         policy_(policy),
         schedule_(policy, settings.end),
-        writer_(writer),
+        store_(policy, writer),
         hooks_(hooks) {
     counters_.most_newton_iterations = hooks.most_newton_iterations;
     watch_model();
@@ -47,7 +46,7 @@ public:
     } catch (const RecoverableError& error) {  // of a state that no solver has proposed: the start
       fail(error);
     } catch (const std::exception& error) {
-      close_quietly(error.what());
+      store_.abandon(std::string("failed: ") + error.what());
       throw;
     }
     if (outcome_.last && policy_.examine_end) examine_end();
@@ -58,14 +57,14 @@ public:
         warn(text);
     if (const std::string text = jumps_->warning(state()); !text.empty()) warn(text);
     // The last good state is always stored, independent of the output keys of the scene.
-    if (outcome_.status != Status::finished && outcome_.last) store();
+    if (outcome_.status != Status::finished && outcome_.last) store_.store(model(), state());
     if (outcome_.status == Status::finished)
       outcome_.ended_by = ends_early() ? "time.until: " + policy_.until->text : "time.end";
-    outcome_.wall_seconds = elapsed();
+    outcome_.wall_seconds = store_.elapsed();
     if (outcome_.status == Status::finished && hooks_.judge) judge();
     outcome_.counters = counters_;
     outcome_.chattering_nodes = memory_.chattering.nodes();
-    if (writer_) writer_->close(outcome_.text(), outcome_.wall_seconds);
+    store_.close(outcome_.text(), outcome_.wall_seconds);
     if (outcome_.last) outcome_.state = std::move(state());
     outcome_.successor = epochs_.successor();
     outcome_.epochs = epochs_.number() + 1;
@@ -80,7 +79,7 @@ private:
 
   void judge() {
     outcome_.budget = hooks_.judge(model(), state(), observed_);
-    if (writer_ && !outcome_.budget.empty()) writer_->write_budget(outcome_.budget);
+    store_.write_budget(outcome_.budget);
   }
 
   void start() {
@@ -89,14 +88,14 @@ private:
     Observation observed = observe({});
     if (policy_.until) excess(*policy_.until, observed);  // refuses an unknown one
     record({}, std::move(observed));
-    store();
+    store_.store(model(), state());
     outcome_.examination = examined();
     require_model(outcome_.examination);
     for (const std::string& text : doubts(outcome_.examination)) warn("at the start " + text);
     if (hooks_.interrupted()) return;
     estimate_phase_error();
     make_stepper();
-    if (clock_is_due()) write_checkpoint();
+    if (store_.checkpoint_is_due()) checkpoint();
   }
 
   /// What looks at the steps of the model of this epoch.
@@ -118,10 +117,7 @@ private:
     observed_ = from.row.scalars;
     outcome_.phase_errors = from.phase_errors;
     outcome_.last = from.row;
-    last_checkpoint_ = from.checkpoint;
-    checkpoint_rows_ = from.checkpoint.rows;
-    stored_at_ = from.stored;
-    earlier_seconds_ = from.wall_seconds;
+    store_.resume(from);
     schedule_.wants(state().t, counters_.steps);  // everything up to here is already stored
   }
 
@@ -131,7 +127,7 @@ private:
     if (model().overdue && model().overdue(state())) begin_epoch();
     while (state().t < settings_.end && !ends_early()) {
       if (hooks_.interrupted()) {
-        write_last_checkpoint();
+        checkpoint_news();
         return Status::interrupted;
       }
       if (!stepper_) make_stepper();
@@ -144,7 +140,7 @@ private:
         report = stepper_->advance(state(), std::min(schedule_.stop(), early_end_));
       } catch (const Interruption&) {
         state() = before;
-        if (checkpoint_rows_ != last_checkpoint_.rows) keep_checkpoint();
+        if (store_.has_news()) store_.checkpoint(memory_, model().system().structure());
         return Status::interrupted;
       }
       Observation observed = observe(report);
@@ -159,12 +155,13 @@ private:
         damping_->require_damping_in_wider_contact(state(), observed_);
         require_no_chattering(memory_.chattering.nodes(), integrator_);
       }
-      if (schedule_.wants(state().t, counters_.steps) || ends_early()) store();
+      if (schedule_.wants(state().t, counters_.steps) || ends_early())
+        store_.store(model(), state());
       if (limit && !ends_early()) throw at_limit(*limit);
       begin_epoch();
-      if (clock_is_due()) write_checkpoint();
+      if (store_.checkpoint_is_due()) checkpoint();
     }
-    write_last_checkpoint();
+    checkpoint_news();
     if (damping_) judge_damping();
     stepper_.reset();  // its memory is needed
     estimate_phase_error();
@@ -188,8 +185,6 @@ private:
     if (state().t >= settings_.end || ends_early()) return;
     std::optional<Epochs::Change> change = epochs_.succeed(state());
     if (!change) return;
-    change->start.rows = last_checkpoint_.rows;
-    change->start.stored = last_checkpoint_.stored;
     watch_model();
     if (!change->same_unknowns) {
       memory_.chattering = {};
@@ -200,10 +195,8 @@ private:
       outcome_.restarts += !next->follow(*stepper_, state(), change->same_unknowns);
       stepper_ = std::move(next);
     }
-    last_checkpoint_.epoch = epochs_.number();
-    if (!writer_) return;
-    writer_->begin_epoch(change->start, model().grid);
-    if (policy_.checkpoint_seconds > 0) write_checkpoint();
+    store_.begin_epoch(std::move(change->start), epochs_.number(), model());
+    if (store_.keeps_checkpoints()) checkpoint();
   }
 
   /// Whether the last good state is the last one of the run, by time.until.
@@ -289,8 +282,7 @@ private:
     HistoryRow row{state().t, report, counters_, observed_};
     memory_.chattering.add(model().contact(state()));
     if (is_breakpoint(model().system().structure(), state().t)) memory_.chattering.begin_anew();
-    if (writer_) writer_->append(row);
-    ++last_checkpoint_.rows;
+    store_.append(row);
     outcome_.last = std::move(row);
     hooks_.on_state(state());
     hooks_.on_step(*outcome_.last);
@@ -309,17 +301,6 @@ private:
         warn(fmt::format("at t = {:g} s {}", state().t, warning.text));
   }
 
-  void store() {
-    if (stored_at_ == state().t) return;
-    if (writer_) {
-      std::optional<CounterSurface> counter_surface;
-      if (model().counter_surface) counter_surface = model().counter_surface(state());
-      writer_->store(state().t, model().fields(state()), model().contact(state()), counter_surface);
-    }
-    ++last_checkpoint_.stored;
-    stored_at_ = state().t;
-  }
-
   std::string unknown_phase_error(const char* reason) const {
     return fmt::format("the error of the mean over the phases at t = {:g} s is not known: {}",
                        memory_.state.t, reason);
@@ -331,7 +312,7 @@ private:
     try {
       const std::optional<PhaseError> error = model().phase_error(state());
       if (!error) return;
-      if (writer_) writer_->append_phase_error(*error);
+      store_.append(*error);
       outcome_.phase_errors.push_back(*error);
       if (state().t > 0) return;
       const double of_steps = settings_.step > 0 ? phase_tolerance_of_fixed_steps : settings_.rtol;
@@ -349,54 +330,28 @@ private:
     if (counters_.steps > 0) stepper_->restore(state(), memory_.stepper);
   }
 
-  bool clock_is_due() const {
-    const std::chrono::duration<double> passed = Clock::now() - checkpointed_;
-    return policy_.checkpoint_seconds > 0 && passed.count() >= policy_.checkpoint_seconds;
-  }
-
   /// So that no step is lost. A run that goes on from here restarts its method where the
   /// uninterrupted one did not.
-  void write_last_checkpoint() {
-    if (stepper_ && checkpoint_rows_ != last_checkpoint_.rows) write_checkpoint();
+  void checkpoint_news() {
+    if (stepper_ && store_.has_news()) checkpoint();
   }
 
-  void write_checkpoint() {
+  void checkpoint() {
     memory_.stepper = stepper_->memory();
-    keep_checkpoint();
-  }
-
-  void keep_checkpoint() {
-    ++last_checkpoint_.number;
-    last_checkpoint_.numbers = packed(memory_, model().system().structure());
-    if (writer_) writer_->checkpoint(last_checkpoint_);
-    checkpoint_rows_ = last_checkpoint_.rows;
-    checkpointed_ = Clock::now();
-  }
-
-  /// Called while an exception is propagated; further exceptions are ignored.
-  void close_quietly(const std::string& reason) noexcept {
-    try {
-      if (writer_) writer_->abandon("failed: " + reason, elapsed());
-    } catch (const std::exception&) {
-    }
+    store_.checkpoint(memory_, model().system().structure());
   }
 
   State& state() { return memory_.state; }
   const Model& model() const { return epochs_.model(); }
-  double elapsed() const {
-    return earlier_seconds_ + std::chrono::duration<double>(Clock::now() - begin_).count();
-  }
 
   Epochs epochs_;
   const Integrator& integrator_;
   IntegratorSettings settings_;
   const StorePolicy& policy_;
   StoreSchedule schedule_;
-  ResultWriter* writer_;
+  RunStore store_;
   const RunHooks& hooks_;
 
-  const Clock::time_point begin_ = Clock::now();
-  double earlier_seconds_ = 0;
   static constexpr double never = std::numeric_limits<double>::infinity();
   double early_end_ = never;  ///< of steps that go to time.until
   double early_step_ = 0;     ///< the largest of them
@@ -409,11 +364,6 @@ private:
   Observation observed_;        // of the last good state
   RunOutcome outcome_;
   std::set<std::string> warned_of_;
-  std::optional<double> stored_at_;
-  Checkpoint last_checkpoint_{
-      -1, 0, 0, {}, 0};                      // with the present numbers of rows and stored steps
-  long checkpoint_rows_ = 0;                 // rows at the last checkpoint that was written
-  Clock::time_point checkpointed_ = begin_;  // when the last one was written
 };
 
 }  // namespace
