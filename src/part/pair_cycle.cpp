@@ -205,8 +205,8 @@ namespace {
 
 /// The point of a slave whose speed, in the mean over the cycle, is nearest to that of the pair.
 template <int dim>
-void choose_sliding_point(const AssemblyParts<dim>& parts, CyclicMotion<dim>& motion) {
-  const MortarPair<dim>& pair = parts.pairs.front();
+void choose_sliding_point(const AssemblyParts<dim>& parts, const MortarPair<dim>& pair,
+                          CyclicMotion<dim>& motion) {
   const std::vector<RigidMotion<dim>> motions = sampled_motions(parts, pair);
   const auto patches = contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section());
   const double mean = mean_sliding_speed(parts, pair);
@@ -222,16 +222,29 @@ void choose_sliding_point(const AssemblyParts<dim>& parts, CyclicMotion<dim>& mo
   motion.normal = patches[chosen].initial_normal;
 }
 
+/// Where the bodies of other pairs than the first one reverse.
+template <int dim>
+std::vector<double> other_reversals(const AssemblyParts<dim>& parts) {
+  std::vector<double> found;
+  for (std::size_t k = 1; k < parts.pairs.size(); ++k) {
+    CyclicMotion<dim> motion = parts.cycle->motion;
+    choose_sliding_point(parts, parts.pairs[k], motion);
+    found = merged_kinks(std::move(found), reversals(motion, parts.interface.partner));
+  }
+  return found;
+}
+
 }  // namespace
 
 template <int dim>
 void read_phases_of_pairs(const Scene& scene, AssemblyParts<dim>& parts) {
   if (!parts.cycle) return;
   CyclicMotion<dim> motion = parts.cycle->motion;
-  choose_sliding_point(parts, motion);
-  ReadPhases<dim> read = parts.interface.sticks
-                             ? read_path<dim>(scene, motion, parts.interface.partner, {})
-                             : read_phases<dim>(scene, motion, parts.interface.partner, {});
+  choose_sliding_point(parts, parts.pairs.front(), motion);
+  ReadPhases<dim> read =
+      parts.interface.sticks
+          ? read_path<dim>(scene, motion, parts.interface.partner, {})
+          : read_phases<dim>(scene, motion, parts.interface.partner, {}, other_reversals(parts));
   parts.cycle = read.contact;
   parts.phases = std::move(read.phases);
   parts.remarks.insert(parts.remarks.end(), read.remarks.begin(), read.remarks.end());

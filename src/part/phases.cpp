@@ -13,9 +13,6 @@
 
 namespace gnomon::part {
 
-namespace {
-
-/// Where the speed at the reference is zero and changes its sign, |v| has a kink.
 template <int dim>
 std::vector<double> reversals(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest) {
   const auto velocity = [&](double tau) { return surface_velocity(motion, rest, tau); };
@@ -31,6 +28,8 @@ std::vector<double> reversals(const CyclicMotion<dim>& motion, const CounterBody
   std::erase_if(found, [&](double tau) { return velocity(tau).norm() > 1e-6 * most; });
   return found;
 }
+
+namespace {
 
 /// Of the mean over the cycle: corners of the functions, and reversals.
 template <int dim>
@@ -89,8 +88,15 @@ double mean_speed(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest)
 
 template <int dim>
 ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
-                            const CounterBody<dim>& rest, std::optional<double> force) {
-  const CyclicContact<dim> contact{motion, read_cycle_quadrature(scene, kinks_of(motion, rest))};
+                            const CounterBody<dim>& rest, std::optional<double> force,
+                            const std::vector<double>& others) {
+  constexpr double beside = 1e-3;  // a part of its own would waste a phase
+  std::vector<double> kinks = kinks_of(motion, rest);
+  for (const double other : others)
+    if (std::ranges::none_of(
+            kinks, [&](double kink) { return std::abs(std::remainder(kink - other, 1)) < beside; }))
+      kinks = merged_kinks(std::move(kinks), {other});
+  const CyclicContact<dim> contact{motion, read_cycle_quadrature(scene, kinks)};
   ReadPhases<dim> result{contact, phases_of(contact, rest, force), motion.cycle.remarks()};
   for (const BodyCycle<dim>& body : motion.bodies)
     for (const std::string& remark : body.cycle.remarks())
@@ -141,10 +147,12 @@ AssemblyParts<dim> with_chosen_phases(const Scene& scene,
   return parts;
 }
 
+template std::vector<double> reversals(const CyclicMotion<2>&, const CounterBody<2>&);
 template ReadPhases<2> read_phases(const Scene&, const CyclicMotion<2>&, const CounterBody<2>&,
-                                   std::optional<double>);
+                                   std::optional<double>, const std::vector<double>&);
+template std::vector<double> reversals(const CyclicMotion<3>&, const CounterBody<3>&);
 template ReadPhases<3> read_phases(const Scene&, const CyclicMotion<3>&, const CounterBody<3>&,
-                                   std::optional<double>);
+                                   std::optional<double>, const std::vector<double>&);
 template AssemblyParts<2> with_chosen_phases(const Scene&,
                                              const std::function<AssemblyParts<2>(long)>&);
 template AssemblyParts<3> with_chosen_phases(const Scene&,

@@ -16,11 +16,16 @@ struct ReadPhases {
   std::vector<std::string> remarks;  ///< also where the phases miss the mean of speed or force
 };
 
-/// The phases of cycle.phases. Kinks are those of the functions, and where the counter-body comes
-/// to rest at the reference of its motion. Throws InputError.
+/// Where the speed at the reference of the motion is zero and changes its sign, |v| has a kink.
+template <int dim>
+std::vector<double> reversals(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest);
+
+/// The phases of cycle.phases. Kinks are those of the functions, where the counter-body comes to
+/// rest at the reference of its motion, and `others` apart from these. Throws InputError.
 template <int dim>
 ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
-                            const CounterBody<dim>& rest, std::optional<double> force);
+                            const CounterBody<dim>& rest, std::optional<double> force,
+                            const std::vector<double>& others = {});
 
 /// Refuses phases in which nothing presses a counter-body that a force presses at `largest`, by
 /// cycle.force or the table `press`.
