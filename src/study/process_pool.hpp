@@ -60,7 +60,7 @@ public:
   /// Reports the processes that have ended; waits a short time if there are none.
   void wait(const Ended& ended);
   /// Asks all processes to end, and kills those that have not ended after half a minute: a run ends
-  /// after its step. Reports the end of each.
+  /// at its last step. Reports the end of each.
   void stop(const Ended& ended);
 
 private:
