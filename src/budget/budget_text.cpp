@@ -57,6 +57,7 @@ std::string budget_table(const Budget& budget) {
   text += fmt::format("  {:>9}\n", "all");
   for (std::size_t i = 0; i < budget.values.size(); ++i) {
     const Scalar& value = budget.values[i];
+    if (value.value == 0 && value.name.starts_with("creepage_")) continue;
     text += fmt::format("{:{}} {:>{}}", value.name, name_width,
                         fmt::format("{:.5g} {}", value.value, value.unit), value_width);
     for (std::size_t p = 0; p < budget.parts.size(); ++p)

@@ -97,6 +97,7 @@ long nodes_of(const Model& model) {
 }
 
 std::optional<Goals> goals_of(const Model& model, const State& state, const Observation& observed) {
+  constexpr double rounding = 1e-12;  // of creepages
   std::optional<ContactSurface> surface = model.contact(state);
   if (!surface || !find_scalar(observed, "worn_volume")) return {};
   Goals goals{.time = state.t,
@@ -131,8 +132,11 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
       {"inner_pressure", "MPa", inner_norm(goals.surface.pressure, goals.inner)});
   add("max_pressure");
   add("approach");
-  for (const Scalar& scalar : observed)
-    if (is_of_friction(scalar.name) && scalar.value != 0) goals.values.push_back(scalar);
+  for (Scalar scalar : observed) {
+    if (!is_of_friction(scalar.name)) continue;
+    if (std::abs(scalar.value) < rounding) scalar.value = 0;
+    goals.values.push_back(scalar);
+  }
   return goals;
 }
 
