@@ -166,6 +166,10 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   if (parts.interface.rolling) {
     require_balanced_rolling(scene, parts);
     if (!slips_as_given(parts) && !scene.given("wear.velocity")) require_no_distance(scene);
+    if (!parts.pairs.empty() && parts.pairs.front().slides > 0) {  // the speed is that of the first
+      const double first = parts.pairs.front().slides;
+      for (MortarPair<dim>& pair : parts.pairs) pair.slides /= first;
+    }
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
       if (!scene.given("wear.velocity")) {
         parts.interface.speed = speed_of_rolling(parts, magnitudes);
