@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/scene/keys.hpp>
@@ -74,6 +75,11 @@ FrictionFactor read_friction_factor(const Scene& scene, const AssemblyParts<dim>
     refuse(scene, "wear.rate",
            "no q beside friction.factor in a [[pair]], since both of its surfaces would need the "
            "factor of the other one");
+  const auto slides_alike = [&](const MortarPair<dim>& pair) {
+    return pair.slides == parts.pairs.front().slides;
+  };
+  if (reads_in_friction(scene, "s") && !std::ranges::all_of(parts.pairs, slides_alike))
+    refuse(scene, key, "no s where pairs slide at different speeds, or also wear.velocity");
   FrictionFactor factor(factor_by_text(scene, *parts.interface.speed));
   require_values(scene, factor, parts);
   return factor;
