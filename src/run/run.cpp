@@ -145,8 +145,9 @@ private:
       }
       Observation observed = observe(report);
       if (model().overdue) come_near(before, report, observed);
-      const std::optional<Limit> limit = stop_short(before, report, observed);
+      std::optional<Limit> limit = stop_short(before, report, observed);
       if (policy_.until) end_early(before, report, observed);
+      if (policy_.until && limit) limit = model().limit(state());  // the step may be a shorter one
       jumps_->add(before, state());
       require_mesh(observed, before);
       record(report, std::move(observed));
