@@ -13,6 +13,7 @@
 #include <map>
 
 #include "mesh/facet_table.hpp"
+#include "part/changing_friction.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 
@@ -75,15 +76,18 @@ void require_surface_names(const Scene& scene) {
 
 namespace {
 
-/// Where a law reads s and the motion gives its speed.
+/// Where an expression reads s and the motion gives its speed.
 template <int dim>
 std::string remark_on_distance(const Scene& scene, const AssemblyParts<dim>& parts) {
-  if (!reads_in_rates(scene, "s") || scene.given("wear.velocity")) return {};
+  const bool reads = (scene.text("wear.law") == "expression" && reads_in_rates(scene, "s")) ||
+                     reads_in_friction(scene, "s");
+  if (!reads || scene.given("wear.velocity")) return {};
   std::vector<std::string> speeds;
   for (const Surface<dim>& surface : parts.interface.surfaces)
     if (surface.wears)
       speeds.push_back(
           fmt::format("{:.4g} mm/s on \"{}\"", parts.nominal_speed(surface), surface.name));
+  if (speeds.empty()) return {};
   return fmt::format(
       "the sliding distance s is counted with {} (wear.velocity gives another speed)",
       fmt::join(speeds, ", "));
