@@ -155,8 +155,11 @@ template <int dim>
 std::map<std::string, BodyCycle<dim>> read_motions_of_bodies(const Scene& scene,
                                                              const AssemblyParts<dim>& parts) {
   std::map<std::string, BodyCycle<dim>> motions;
-  for (const auto& [body, table] : tables_of(scene, parts))
-    motions.emplace(body, read_motion<dim>(scene, table, parts.section()));
+  for (const auto& [body, table] : tables_of(scene, parts)) {
+    BodyCycle<dim> motion = read_motion<dim>(scene, table, parts.section());
+    motion.name = scene.text(table + ".body");
+    motions.emplace(body, std::move(motion));
+  }
   return motions;
 }
 

@@ -55,7 +55,6 @@ void read_cycle_of_bodies(const Scene& scene, const std::map<std::string, BodyCy
     const auto found = motions.find(body.name);
     motion.bodies.push_back(found == motions.end() ? BodyCycle<dim>{} : found->second);
     motion.bodies.back().cycle.period = cycle->period;
-    motion.bodies.back().name = body.name;
   }
   parts.cycle = CyclicContact<dim>{motion, {1, {}}};
 }

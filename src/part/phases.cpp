@@ -99,8 +99,11 @@ ReadPhases<dim> read_phases(const Scene& scene, const CyclicMotion<dim>& motion,
   const CyclicContact<dim> contact{motion, read_cycle_quadrature(scene, kinks)};
   ReadPhases<dim> result{contact, phases_of(contact, rest, force), motion.cycle.remarks()};
   for (const BodyCycle<dim>& body : motion.bodies)
-    for (const std::string& remark : body.cycle.remarks())
-      result.remarks.push_back(fmt::format("[[motion]] of \"{}\": {}", body.name, remark));
+    for (const std::string& remark : body.cycle.remarks()) {
+      std::string text = fmt::format("[[motion]] of \"{}\": {}", body.name, remark);
+      if (std::ranges::count(result.remarks, text) == 0)  // bonded bodies have the same
+        result.remarks.push_back(std::move(text));
+    }
   if (motion.cycle.force) require_forces(scene, result.phases, "", force);
   const double error =
       error_of_motion(result.phases, phases_of(contact, rest, force, {PhaseSet::Kind::fine}));
