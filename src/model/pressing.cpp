@@ -156,7 +156,7 @@ Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
     // What overlaps, like a cam that lifts, is moved by so much against the springs.
     press.springs = all_of_springs(parts) * (1 + press.overlap / moved);
     press.overlap += moved;
-    if (force < force_of_springs(parts)) {
+    if (!interface.force && force < force_of_springs(parts)) {
       press.springs += force;
       force = 0;
     }
