@@ -67,7 +67,7 @@ private:
       Trial trial = pilots_.run(pilot_, how);
       std::vector<double> errors = differences(coarse_->goals, trial.goals);
       bool goes_on = !given && is_small(errors);
-      if (!given && !goes_on && pilot_.mesh > 1) {
+      if (!given && !goes_on && pilot_.mesh > 1 && pilots_.scales(pilot_.mesh / 2)) {
         errors = differences_on_finer(own, *other, how);
         goes_on = is_small(errors);
       }
