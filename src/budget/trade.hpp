@@ -34,8 +34,8 @@ PlanLine predicted(const Trade& trade, Factors factors);
 Factors cheapest(const Trade& trade, double within);
 
 /// What a pilot on elements of `factor` times a size, and one on twice as large ones, tell of the
-/// mesh: its error in the wanted places, up to three times the difference where that is not
-/// more than half of what coarser pilots have told, and cost.
+/// mesh: its cost, and its error in the wanted places. Where that is less than half of what coarser
+/// pilots have told, it is taken for larger, up to three times.
 void learn_mesh(const Trial& coarse, const Trial& fine, double factor,
                 const std::vector<std::size_t>& places, Trade& trade);
 

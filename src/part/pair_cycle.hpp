@@ -10,13 +10,12 @@
 namespace gnomon::part {
 
 /// Gives the parts, whose pairs are known but for their facets, the motions of their bodies over
-/// the cycle of the scene, if it has one. Throws InputError, also where bodies that share nodes
-/// move apart.
+/// the cycle of the scene, if it has one. Throws InputError.
 template <int dim>
 void read_cycle_of_bodies(const Scene& scene, const std::map<std::string, BodyCycle<dim>>& motions,
                           AssemblyParts<dim>& parts);
 
-/// The phases of that cycle, judged by how the first pair slides.
+/// The phases of that cycle: divided where bodies that slide reverse, judged by the first pair.
 template <int dim>
 void read_phases_of_pairs(const Scene& scene, AssemblyParts<dim>& parts);
 

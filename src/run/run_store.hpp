@@ -31,7 +31,7 @@ public:
     if (writer_ && !budget.empty()) writer_->write_budget(budget);
   }
 
-  /// Whether a result with checkpoints begins them with each epoch.
+  /// Whether there is a result that gets checkpoints, one at the beginning of every epoch, too.
   bool keeps_checkpoints() const { return writer_ && policy_.checkpoint_seconds > 0; }
   /// By the clock.
   bool checkpoint_is_due() const;

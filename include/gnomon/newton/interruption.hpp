@@ -11,8 +11,9 @@ struct Interruption : Error {
   using Error::Error;
 };
 
-/// While it lives, every Newton iteration of this thread begins with the question, and throws
-/// Interruption where its answer is true. The last one that was made counts.
+/// While it lives, every iteration of NewtonSolver on this thread begins with the question, and
+/// throws Interruption where its answer is true (not those of bdf, which IDA makes). The last one
+/// that was made counts.
 class Interruptible {
 public:
   /// `asked` must outlive it.
