@@ -171,7 +171,7 @@ std::optional<Excess> excess_of_friction(const AssemblyParts<dim>& parts, double
 
 std::string key_of_friction(const Scene& scene) {
   for (const std::string& table : pair_tables(scene))
-    if (const std::string key = table + ".friction"; scene.given(key)) return key;
+    if (std::string key = table + ".friction"; scene.given(key)) return key;
   return "friction.coefficient";
 }
 

@@ -138,7 +138,7 @@ void MortarTerm<dim>::add_path(const Evaluation<dim>& at, const Side& side, cons
   for (int i = 0; i < dim; ++i) rows.push_back(traction_number(side, i));
   add(rows, own, by_parts(side.node, sticking.constraint_by_own), values);
   const auto count = static_cast<Eigen::Index>(of.nodes.size());
-  Eigen::MatrixXd by_nodes(dim, 2 * dim * count);
+  Eigen::MatrixXd by_nodes(dim, 2 * count * dim);
   for (Eigen::Index p = 0; p < count; ++p) {
     const Tensor<dim> by = sticking.constraint_by_n *
                            state.normal->by_x[static_cast<std::size_t>(p)] * place(side).turn;
