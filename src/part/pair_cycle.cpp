@@ -126,12 +126,12 @@ std::vector<std::vector<BodyPlace<dim>>> close_places_over_cycle(const AssemblyP
 
 namespace {
 
-/// The motion of a pair at the sampled places, in the frame of the slave.
+/// The motion of a pair at these places, in the frame of the slave.
 template <int dim>
-std::vector<RigidMotion<dim>> sampled_motions(const AssemblyParts<dim>& parts,
-                                              const MortarPair<dim>& pair) {
+std::vector<RigidMotion<dim>> motions_at(const std::vector<std::vector<BodyPlace<dim>>>& sampled,
+                                         const MortarPair<dim>& pair) {
   std::vector<RigidMotion<dim>> motions;
-  for (const auto& places : sampled_places(parts)) {
+  for (const auto& places : sampled) {
     const PairPlaces<dim> at(pair, places);
     RigidMotion<dim>& motion = motions.emplace_back(at.motion);
     // In the frame of the slave.
@@ -188,7 +188,7 @@ template <int dim>
 double mean_sliding_speed(const AssemblyParts<dim>& parts, const MortarPair<dim>& pair) {
   constexpr double nothing = 1e-9;
   const auto places = sampled_places(parts);
-  const std::vector<RigidMotion<dim>> motions = sampled_motions(parts, pair);
+  const std::vector<RigidMotion<dim>> motions = motions_at<dim>(places, pair);
   const auto patches = contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section());
   double first = 0, all = 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -206,7 +206,7 @@ namespace {
 template <int dim>
 void choose_sliding_point(const AssemblyParts<dim>& parts, const MortarPair<dim>& pair,
                           CyclicMotion<dim>& motion) {
-  const std::vector<RigidMotion<dim>> motions = sampled_motions(parts, pair);
+  const std::vector<RigidMotion<dim>> motions = motions_at<dim>(sampled_places(parts), pair);
   const auto patches = contact_patches<dim>(parts.mesh, pair.slave, {}, parts.section());
   const double mean = mean_sliding_speed(parts, pair);
   std::vector<double> off;
