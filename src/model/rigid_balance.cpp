@@ -266,9 +266,7 @@ private:
 
 template <int dim>
 bool supports_press(const AssemblyParts<dim>& parts) {
-  return !parts.supports.moved.empty() ||
-         std::ranges::any_of(parts.supports.springs,
-                             [](const auto& each) { return !each.displacement.isZero(0); });
+  return !parts.supports.moved.empty() || springs_hold(parts) == SpringsHold::no;
 }
 
 template <int dim>

@@ -53,7 +53,7 @@ SpringsHold springs_hold(const AssemblyParts<dim>& parts) {
 
 template <int dim>
 Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& part,
-                         const std::vector<Vector<dim>>& x, SpringsHold springs_hold) {
+                         const std::vector<Vector<dim>>& x, SpringsHold springs) {
   constexpr int motions = rigid_motions_of(dim);
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(motions, motions);
   if (dim == 2 && parts.section() == Section::meridian)  // it moves along the axis alone
@@ -66,12 +66,12 @@ Eigen::MatrixXd resisted(const AssemblyParts<dim>& parts, const RigidPart<dim>& 
   for (const int node : part.nodes)
     for (int i = 0; i < dim; ++i)
       if (parts.supports.held(node, i)) hold(node, i);
-  if (springs_hold == SpringsHold::no) return held;
-  for (const SpringSupport<dim>& springs : parts.supports.springs)
-    for (const auto& facet : springs.facets)
+  if (springs == SpringsHold::no) return held;
+  for (const SpringSupport<dim>& support : parts.supports.springs)
+    for (const auto& facet : support.facets)
       for (const int node : facet)
         for (int i = 0; i < dim; ++i)
-          if (part.has(node) && springs.stiffness[i] > 0) hold(node, i);
+          if (part.has(node) && support.stiffness[i] > 0) hold(node, i);
   return held;
 }
 
