@@ -4,7 +4,7 @@
 //   gnomon_planned FACTOR WITHIN,WITHIN SCENE.toml [KEY=VALUE ...]
 //
 // FACTOR: of the reference's elements (a power of two where cells are split), of tolerance 1e-6,
-// with four times the phases and the scene's own models.
+// with four times the phases, at least 64, and the scene's own models.
 
 #include <fmt/format.h>
 
@@ -32,7 +32,8 @@ Scene reference_of(const Scene& asked, const Scene& run, const Budget& shown, do
     };
     if (key.controls->source == ErrorSource::model)
       reference = reference.with(key.name, asked.any(key.name));
-    if (key.controls->source == ErrorSource::phases) scale(0.25);
+    if (key.controls->source == ErrorSource::phases && reference.given(key.name))
+      scale(std::min(0.25, reference.reals(key.name).at(0) / 64));
     if (mesh != shown.parts.end() && key.name == mesh->key) scale(factor);
   }
   return reference;

@@ -84,11 +84,15 @@ void Companions::add_mesh(const Scene& scene, const Goals& goals,
   });
 }
 
+std::optional<Scene> half_of_phases(const Key& key, const Scene& scene) {
+  if (key.controls->source != ErrorSource::phases || !key.controls->scaled(scene, 4)) return {};
+  return key.controls->scaled(scene, 2);
+}
+
 void Companions::compare(BudgetPart& part, const Trial& base, const Key& key) {
   const Finer finer(part.source);
-  std::optional<Scene> fewer, other;
-  if (part.source == ErrorSource::phases) fewer = key.controls->scaled(base.scene, 2);
-  other = fewer ? fewer : key.controls->scaled(base.scene, finer.factor);
+  const std::optional<Scene> fewer = half_of_phases(key, base.scene);
+  const std::optional<Scene> other = fewer ? fewer : key.controls->scaled(base.scene, finer.factor);
   if (!other) throw InputError("it cannot be finer on the mesh of the companions");
   part.how = change_text(base.scene, *other);
   part.errors = differences(base.goals, run(*other, part.how).goals);

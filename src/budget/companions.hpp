@@ -27,6 +27,10 @@ struct OtherMesh {
 /// Those with larger elements first: runs on them cost less.
 std::vector<OtherMesh> other_meshes(const Scene& scene);
 
+/// A companion that tells the error of the phases of a cycle. None of so few phases that the error
+/// of their mean does not fall with their square, and of other keys.
+std::optional<Scene> half_of_phases(const Key& key, const Scene& scene);
+
 inline const std::string too_long = "it takes longer than is allowed after a run";
 
 class Companions {

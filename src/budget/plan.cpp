@@ -29,11 +29,12 @@ public:
     if (trade_.free_time) pilot_.time = time_of_pilots;
     coarse_ = pilots_.coarsest(pilot_);
     places_ = wanted_places(asked_, coarse_->goals.values);
+    const bool fewer_phases = takes_fewer_phases();
     for (const Key& key : asked_.controlling_keys())
       if (key.controls->source == ErrorSource::model) try_simpler(key);
     if (!attempt("mesh", [&] { measure_mesh(); })) trade_.free_mesh = false;
     if (!attempt("time", [&] { measure_time(); })) trade_.free_time = false;
-    attempt("phases", [&] { measure_phases(); });
+    if (!fewer_phases) attempt("phases", [&] { measure_phases(); });
     Plan plan{
         .scene = pilots_.with(cheapest(trade_, within_)), .lines = {}, .known = {}, .remarks = {}};
     for (const double part : {2.0, 1.0, 0.5, 0.25}) plan.lines.push_back(line_for(part * within_));
@@ -54,6 +55,35 @@ private:
     return !failure;
   }
 
+  /// Goes on with a quarter, or half, of the phases that the plan has taken, where that changes
+  /// little: all other runs cost as much less. Returns whether it does.
+  bool takes_fewer_phases() {
+    for (const Key& key : pilots_.scene.controlling_keys())
+      for (const double factor : {4.0, 2.0}) {
+        if (key.controls->source != ErrorSource::phases || asked_.is_set(key.name)) break;
+        const Scene base = pilots_.with(pilot_);
+        const auto fewer = key.controls->scaled(base, factor);
+        if (!fewer || !goes_on_with(*fewer, key, change_text(base, *fewer))) continue;
+        pilots_.scene = *key.controls->scaled(pilots_.scene, factor);
+        return true;
+      }
+    return false;
+  }
+
+  bool goes_on_with(const Scene& fewer, const Key& key, const std::string& how) {
+    constexpr double little = 0.1;  // of what may be
+    bool is_enough = false;
+    failure_of([&] {
+      Trial trial = pilots_.run(fewer, how);
+      const std::vector<double> errors = differences(coarse_->goals, trial.goals);
+      is_enough = is_small(errors, little);
+      if (!is_enough) return;
+      add_known({.source = ErrorSource::phases, .key = key.name, .how = how, .errors = errors});
+      coarse_ = std::move(trial);
+    });
+    return is_enough;
+  }
+
   /// Goes on with the simpler of two models, where the scene does not give one and the error is a
   /// small part of what may be. One that is given is judged.
   void try_simpler(const Key& key) {
@@ -66,10 +96,10 @@ private:
       pilots_.scene = *other;
       Trial trial = pilots_.run(pilot_, how);
       std::vector<double> errors = differences(coarse_->goals, trial.goals);
-      bool goes_on = !given && is_small(errors);
+      bool goes_on = !given && is_small(errors, small_part);
       if (!given && !goes_on && pilot_.mesh > 1 && pilots_.scales(pilot_.mesh / 2)) {
         errors = differences_on_finer(own, *other, how);
-        goes_on = is_small(errors);
+        goes_on = is_small(errors, small_part);
       }
       if (goes_on || given)
         add_known({.source = ErrorSource::model, .key = key.name, .how = how, .errors = errors});
@@ -81,8 +111,9 @@ private:
     if (failure) pilots_.scene = own;  // the model does not suit the scene
   }
 
-  bool is_small(const std::vector<double>& errors) const {
-    return largest(errors, without_ends(places_, coarse_->goals.values)) <= small_part * within_;
+  /// At most a part of what may be.
+  bool is_small(const std::vector<double>& errors, double part) const {
+    return largest(errors, without_ends(places_, coarse_->goals.values)) <= part * within_;
   }
 
   /// Between two models, where the nodes that touch are twice as many: on few of them one that

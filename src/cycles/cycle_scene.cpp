@@ -15,10 +15,9 @@ namespace {
 
 constexpr double most_phases = 4096;
 
-/// Where the scene gives their number, or no phases at all. Not so few that the error of their mean
-/// no longer falls with their square.
+/// Where the scene gives their number, or no phases at all.
 std::optional<Scene> with_scaled_phases(const Scene& scene, double factor) {
-  constexpr double usual = 16, fewest = 8;
+  constexpr double usual = 16, fewest = 4;
   if (!scene.has("cycle.period") || chooses_phases(scene)) return {};
   const std::vector<double> phases =
       scene.given("cycle.phases") ? scene.reals("cycle.phases") : std::vector<double>{usual};

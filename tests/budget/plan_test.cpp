@@ -99,9 +99,27 @@ TEST(Plan, ChoosesPhases) {
     return plan_of(asked, {}).scene.reals("cycle.phases").at(0);
   };
   const double few = phases("0.5"), many = phases("0.002");
-  EXPECT_GE(few, 16);
+  EXPECT_GE(few, 4);
   EXPECT_LT(few, many);
+  EXPECT_GE(many, 16);
   EXPECT_LE(many, 128);
+}
+
+// The contact stays where it is on the cylinder, and the speed is the same in all phases.
+TEST(Plan, TakesFewPhasesWhereMoreChangeNothing) {
+  const Scene asked = shipped("cylinder_worn.toml",
+                              {"accuracy.within=0.05", "mesh.factor=4", "integrator.rtol=1e-2"})
+                          .without("cycle.phases");
+  const Plan made = plan_of(asked, {});
+  EXPECT_EQ(made.scene.reals("cycle.phases"), std::vector<double>{4});
+  const auto known = std::ranges::find(made.known, "cycle.phases", &BudgetPart::key);
+  ASSERT_NE(known, made.known.end());
+  for (const double error : known->errors) EXPECT_LT(error, 0.005);
+  const auto goes_on = [](double) { return false; };
+  const auto few = budget::try_scene(made.scene, goes_on),
+             many = budget::try_scene(made.scene.with("cycle.phases", std::vector<double>{32}),
+                                      goes_on);
+  for (const double error : differences(few.goals, many.goals)) EXPECT_LT(std::abs(error), 0.005);
 }
 
 TEST(Plan, LeavesAndJudgesAMeshThatItsGeometryFixes) {
