@@ -16,12 +16,12 @@ constexpr double used_part = 0.5;
 /// Times the default tolerance: near the largest that controls steps.
 const double loosest = std::pow(10.0, 2.5);
 
-/// From the largest one, divided by powers of the square root of `base`.
+/// From the largest one, divided by powers of the fourth root of `base`.
 std::vector<double> choices(bool is_free, double largest, double base) {
-  constexpr int most = 12;  // 64 times as fine, a millionth of the tolerance
+  constexpr int most = 24;  // 64 times as fine, a millionth of the tolerance
   if (!is_free) return {1};
   std::vector<double> factors;
-  for (int k = 0; k <= most; ++k) factors.push_back(largest * std::pow(base, -k / 2.0));
+  for (int k = 0; k <= most; ++k) factors.push_back(largest * std::pow(base, -k / 4.0));
   return factors;
 }
 
