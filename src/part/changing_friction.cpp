@@ -11,6 +11,7 @@
 #include "expressions/expression_tables.hpp"
 #include "expressions/expression_text.hpp"
 #include "part/histories.hpp"
+#include "part/surfaces.hpp"
 
 namespace gnomon::part {
 
@@ -80,6 +81,7 @@ FrictionFactor read_friction_factor(const Scene& scene, const AssemblyParts<dim>
   };
   if (reads_in_friction(scene, "s") && !std::ranges::all_of(parts.pairs, slides_alike))
     refuse(scene, key, "no s where pairs slide at different speeds, or also wear.velocity");
+  require_positions<dim>(scene, key);
   FrictionFactor factor(factor_by_text(scene, *parts.interface.speed));
   require_values(scene, factor, parts);
   return factor;

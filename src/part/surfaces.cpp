@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 
+#include "expressions/expression_text.hpp"
 #include "mesh/facet_table.hpp"
 #include "part/changing_friction.hpp"
 #include "part/groups.hpp"
@@ -64,6 +65,18 @@ WearLaw read_surface_law(const Scene& scene, const std::string& surface, double 
   return read_wear_law(scene_of(scene, surface), speed, rate_key(scene, surface));
 }
 
+template <int dim>
+void require_positions(const Scene& scene, const std::string& key) {
+  if (dim == 3 || !tokens_in(scene.text(key)).contains("z0")) return;
+  const bool of_revolution = scene.text("model.plane") == "axisymmetric";
+  refuse(scene, key,
+         of_revolution ? "x0 for the radius and y0 for the place along the axis, got z0"
+                       : "x0 and y0, got z0, which a plane does not have");
+}
+
+template void require_positions<2>(const Scene&, const std::string&);
+template void require_positions<3>(const Scene&, const std::string&);
+
 void require_surface_names(const Scene& scene) {
   const std::vector<std::string>& surfaces = scene.texts("wear.on");
   for (const char* key : {".rate", ".coefficient", ".path"})
@@ -106,6 +119,7 @@ void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts) {
     at.speed = parts.nominal_speed(surface);
     std::vector<std::string> remarks;
     const std::string key = rate_key(scene, surface.name);
+    if (scene.text("wear.law") == "expression") require_positions<dim>(scene, key);
     // That it does not wear is no doubt where its coefficient is zero.
     surface.wear = required_law(scene_of(scene, surface.name), surface.wear, at, remarks, key);
     if (key == "wear.rate" && !remarks.empty())

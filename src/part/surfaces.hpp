@@ -16,6 +16,10 @@ std::vector<Surface<dim>> wearing_surfaces(const Scene& scene, const ImportedBod
 /// The law of a surface at its nominal speed: its own, or wear.rate. Throws InputError.
 WearLaw read_surface_law(const Scene& scene, const std::string& surface, double speed);
 
+/// Throws InputError where the expression of `key` reads z0 in the plane, where it is zero.
+template <int dim>
+void require_positions(const Scene& scene, const std::string& key);
+
 /// Throws InputError for a law of a surface that does not wear.
 void require_surface_names(const Scene& scene);
 
