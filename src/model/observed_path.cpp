@@ -42,14 +42,18 @@ std::vector<char> in_loop(const Assembly<dim>& assembly) {
   return result;
 }
 
-/// How far the partner has moved, the master of the first pair in the frame of the slave, where
-/// they slide.
+/// How far the partner has moved where it touches; the master of the first pair in the frame of the
+/// slave, where they slide.
 template <int dim>
 Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase) {
   CyclicMotion<dim> motion = assembly.cycle->motion;
   // The slave may be the second in the scene.
   if (!assembly.pairs.empty()) motion.sliding = assembly.pairs.front().numbers;
-  return carried_by(motion, assembly.interface.partner, phase, motion.point);
+  const CounterBody<dim>& partner = assembly.interface.partner;
+  return carried_by(motion, partner, phase,
+                    assembly.pairs.empty()
+                        ? Vector<dim>(partner.position + partner.motion.reference)
+                        : motion.point);
 }
 
 /// Keeps what is not across planes of symmetry, which cut the contact where supports hold nodes
