@@ -94,13 +94,16 @@ template <int dim>
 ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
                           const CounterBody<dim>& rest, std::optional<double> force) {
   require_closed_path(scene, motion.cycle, motion.axis);
+  const auto slides = [](const RigidMotion<dim>& steady) {
+    return steady.moves() || steady.across != 0 || !steady.across_by_x.isZero(0);
+  };
   for (const BodyCycle<dim>& body : motion.bodies) {
     require_closed_path(scene, body.cycle, body.axis);
-    if (body.motion.moves() || body.motion.across != 0 || !body.motion.across_by_x.isZero(0))
+    if (slides(body.motion))
       refuse_path(scene,
                   "no motion.#.velocity or .rotation beside it: a steady motion does not stick");
   }
-  if (rest.motion.velocity.norm() + rest.motion.spin.norm() + std::abs(rest.motion.across) > 0)
+  if (slides(rest.motion))
     refuse_path(scene, "no counter_body.motion beside it: a steady motion does not stick");
   for (std::size_t k = 1; k < rest.guides.size(); ++k)
     for (int i = 0; i < dim; ++i)
