@@ -101,7 +101,7 @@ std::string remark_on_idle_law(const WearLaw& law, const WearRange& range) {
     if (wears) break;
     idle = pressure;
   }
-  if (idle == 0) return {};
+  if (idle == 0 || range.speed == 0) return {};  // what slides by elastic strains has no speed yet
   return fmt::format(
       "the wear law is 0 at pressures up to {:.3g} MPa, {}the mean of about {:.3g} MPa: {} wears",
       idle * range.pressure, idle == 1 ? "" : fmt::format("{:g} times ", idle), range.pressure,

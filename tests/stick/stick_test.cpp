@@ -467,6 +467,21 @@ TEST_F(Fretting, MeansOfForcesAreThoseOfTheCycle) {
   EXPECT_NEAR(observed(*model, model->start(counters), "contact_force"), 20, 0.05);
 }
 
+/// Wherever the origin of the coordinates lies.
+TEST_F(Fretting, TheStrokeIsThatOfTheContactWhereACounterBodyTurns) {
+  folder_.write("flat.geo", half_plane(4, 4, 3) + "Translate {0, 7, 0} {Surface {1, 2, 3, 4};}\n");
+  const auto model = this->model(cylinder("rotation = \"1e-4 * sin(2*pi*tau)\""),
+                                 {"counter_body.center=[0.0, 13.0]"});
+  Counters counters;
+  EXPECT_NEAR(observed(*model, model->start(counters), "stroke"), 2 * 6e-4, 1e-9);
+}
+
+TEST_F(Fretting, ExpressionsInThePlaneHaveNoThirdCoordinate) {
+  const std::string text = cylinder("x = \"1e-4 * sin(2*pi*tau)\"");
+  expect_refused(text, {"friction.factor=\"1 + z0\""}, "expected x0 and y0, got z0");
+  expect_refused(text, {"wear.rate=\"k*p*v*(1 + z0)\""}, "expected x0 and y0, got z0");
+}
+
 TEST_F(Fretting, PartialSlipWithoutStickIsRefusedAndToldOf) {
   EXPECT_THAT(refusal(cylinder("x = \"1e-4 * sin(2*pi*tau)\""), {"friction.stick=false"}),
               HasSubstr("friction.stick = true"));
