@@ -35,31 +35,53 @@ std::vector<const Cycle*> cycles_of(const CyclicMotion<dim>& motion) {
   return result;
 }
 
+/// Factors of loads, motions, and forces of guides.
+template <int dim>
+std::vector<const CycleFunction*> functions_of(const CyclicMotion<dim>& motion,
+                                               const std::vector<CycleFunction>& loads) {
+  std::vector<const CycleFunction*> functions;
+  for (const CycleFunction& factor : loads) functions.push_back(&factor);
+  for (const Cycle* cycle : cycles_of(motion))
+    for (const CycleFunction* function : functions_of(*cycle)) functions.push_back(function);
+  for (const auto& force : motion.forces)
+    if (force) functions.push_back(&*force);
+  return functions;
+}
+
 /// Positions in [0, 1) at which a function of the cycle turns, jumps or has a corner.
 template <int dim>
 std::vector<double> extremes_of(const CyclicMotion<dim>& motion,
                                 const std::vector<CycleFunction>& loads) {
-  std::vector<const CycleFunction*> functions;
+  const std::vector<const CycleFunction*> functions = functions_of(motion, loads);
   std::vector<double> found;
-  for (const CycleFunction& factor : loads) {
-    functions.push_back(&factor);
-    found = merged_kinks(std::move(found), factor.kinks());
-  }
-  for (const Cycle* cycle : cycles_of(motion)) {
-    for (const CycleFunction* function : functions_of(*cycle)) functions.push_back(function);
-    found = merged_kinks(std::move(found), cycle->kinks());
-  }
-  for (const auto& force : motion.forces) {
-    if (!force) continue;
-    functions.push_back(&*force);
-    found = merged_kinks(std::move(found), force->kinks());
-  }
+  for (const CycleFunction* function : functions)
+    found = merged_kinks(std::move(found), function->kinks());
   return merged_kinks(std::move(found), sign_changes_in_cycle(
                                             [&](double tau, std::span<double> slopes) {
                                               for (std::size_t k = 0; k < functions.size(); ++k)
                                                 slopes[k] = functions[k]->slope(tau);
                                             },
                                             functions.size()));
+}
+
+/// What jumps is one increment of the path, however many phases there are.
+std::string remark_on_jumps(const std::vector<const CycleFunction*>& functions) {
+  constexpr double before = 1e-9, little = 1e-3;
+  constexpr int samples = 64;
+  for (const CycleFunction* function : functions) {
+    double range = 0;
+    for (int k = 0; k < samples; ++k)
+      range = std::max(range, std::abs(function->value((k + 0.5) / samples) - function->value(0)));
+    for (const double tau : function->kinks())
+      if (std::abs(function->value(tau) - function->value(tau > 0 ? tau - before : 1 - before)) >
+          little * range)
+        return fmt::format(
+            "the cycle jumps at tau = {:.4g}, which slip follows in one increment, however many "
+            "phases there are: where the bodies are unlike, some 10 % too much friction work; a "
+            "ramp has more increments",
+            tau);
+  }
+  return {};
 }
 
 [[noreturn]] void refuse_path(const Scene& scene, const std::string& expected) {
@@ -113,7 +135,8 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
                                        rest.guides[k].key));
   if (motion.cycle.rotation && std::ranges::any_of(rest.guides, &Guide<dim>::turns))
     refuse_path(scene, "no cycle.rotation beside a moment in [[counter_body.press]]");
-  const std::vector<double> extremes = extremes_of(motion, factors_of_loads(scene));
+  const std::vector<CycleFunction> loads = factors_of_loads(scene);
+  const std::vector<double> extremes = extremes_of(motion, loads);
   ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
   result.phases = path_phases(points_of(scene, extremes), motion, rest, force);
   require_forces(scene, result.phases, rest.guides.empty() ? "" : rest.guides.front().key, force);
@@ -122,6 +145,8 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
     result.remarks.push_back(
         fmt::format("cycle.phases: {} phases, since all corners and extremes of the cycle are some",
                     result.phases.size()));
+  if (std::string jumps = remark_on_jumps(functions_of(motion, loads)); !jumps.empty())
+    result.remarks.push_back(std::move(jumps));
   return result;
 }
 
