@@ -19,11 +19,53 @@ double size_of(const FacetNodal<dim>& X, Section section) {
   }
 }
 
-/// A = diag(m 1) m^-1.
+/// By which the shape functions of corners of which hardly anything is covered are added to those
+/// of their neighbours: alone they would have a multiplier that hardly any area determines, and a
+/// gap that is extrapolated to them from far away. Row sums of what is shared, and with them all
+/// forces, stay.
 template <class Square>
-Square dual_coefficients(const Square& mass) {
-  return mass.rowwise().sum().asDiagonal() * mass.inverse();
+Square kept_corners(const Square& mass) {
+  constexpr double least = 0.05;  // of the largest area of a corner
+  constexpr auto n = static_cast<int>(Square::RowsAtCompileTime);
+  const Eigen::Matrix<double, n, 1> area = mass.rowwise().sum();
+  const auto is_kept = [&](int a) { return area[a % n] >= least * area.maxCoeff(); };
+  Square P = Square::Identity();
+  for (int a = 0; a < n; ++a) {
+    if (is_kept(a)) continue;
+    const int next = (a + 1) % n, last = (a + n - 1) % n, opposite = (a + 2) % n;
+    P(a, a) = 0;
+    if (!is_kept(next) && !is_kept(last)) {
+      P(opposite, a) = 1;
+    } else {
+      const double share = is_kept(next) && is_kept(last) ? 0.5 : 1;
+      for (const int to : {next, last})
+        if (is_kept(to)) P(to, a) = share;
+    }
+  }
+  return P;
 }
+
+/// psi = A phi, with the shape functions P phi of the kept corners: A = diag(m 1) m^-1 P, where m
+/// is the mass of these.
+template <class Square>
+struct DualBasis {
+  Square P, inverse, of_kept, A;
+
+  explicit DualBasis(const Square& mass) : P(kept_corners(mass)) {
+    Square m = P * mass * P.transpose();
+    const auto areas = m.rowwise().sum().eval();
+    for (int a = 0; a < m.rows(); ++a)
+      if (P(a, a) == 0) m(a, a) = 1;
+    inverse = m.inverse();
+    of_kept = areas.asDiagonal() * inverse;
+    A = of_kept * P;
+  }
+  /// The derivative of A by that of the mass.
+  Square derivative(const Square& by) const {
+    const Square dm = P * by * P.transpose();
+    return (Square(dm.rowwise().sum().asDiagonal()) - of_kept * dm) * inverse * P;
+  }
+};
 
 /// Sums over the parts that cover a facet.
 template <int dim>
@@ -45,10 +87,13 @@ struct Cover {
       to.masters.clear();
       return false;
     }
-    const typename MortarFacet<dim>::Square A = dual_coefficients(mass);
-    to.D = mass.rowwise().sum();
-    to.gap = A * raw;
-    for (auto& master : to.masters) master.M = A * master.M;
+    const DualBasis dual(mass);
+    to.D = dual.P * mass.rowwise().sum();
+    to.gap = dual.A * raw;
+    for (auto& master : to.masters) {
+      master.M = dual.A * master.M;
+      master.W = dual.P * master.W;
+    }
     return true;
   }
 };
@@ -84,7 +129,7 @@ MortarFacetTangent<dim>::MortarFacetTangent(FacetPair<dim> pair,
     by_input.setZero();
     return;
   }
-  const Square A = dual_coefficients(cover.mass), inverse = cover.mass.inverse();
+  const DualBasis dual(cover.mass);
   const auto count = static_cast<int>(parts.size());
   by_input.resize(row_of_masters + count * rows_of_master, own + count * each);
   by_input.setZero();
@@ -102,9 +147,9 @@ MortarFacetTangent<dim>::MortarFacetTangent(FacetPair<dim> pair,
         dr += parts[k].by_input.col(at).template segment<n>(gap);
       }
     }
-    const Square dA = (Square(dm.rowwise().sum().asDiagonal()) - A * dm) * inverse;
-    by_input.col(column).template segment<n>(0) = dm.rowwise().sum();
-    by_input.col(column).template segment<n>(row_of_gap) = dA * cover.raw + A * dr;
+    const Square dA = dual.derivative(dm);
+    by_input.col(column).template segment<n>(0) = dual.P * dm.rowwise().sum();
+    by_input.col(column).template segment<n>(row_of_gap) = dA * cover.raw + dual.A * dr;
     for (int k = 0; k < count; ++k) {
       Square dW = Square::Zero(), dR = dW;
       if (const int at = column_of(k); at >= 0) {
@@ -112,9 +157,9 @@ MortarFacetTangent<dim>::MortarFacetTangent(FacetPair<dim> pair,
         dW = parts[k].by_input.col(at).template segment<n * n>(shared).reshaped(n, n);
       }
       const int row = row_of_masters + k * rows_of_master;
-      const Square dM = dA * parts[k].part.coupling + A * dR;
+      const Square dM = dA * parts[k].part.coupling + dual.A * dR;
       by_input.col(column).template segment<n * n>(row) = dM.reshaped();
-      by_input.col(column).template segment<n * n>(row + n * n) = dW.reshaped();
+      by_input.col(column).template segment<n * n>(row + n * n) = (dual.P * dW).reshaped();
     }
   }
 }

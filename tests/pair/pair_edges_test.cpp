@@ -74,6 +74,40 @@ TEST_F(PairEdges, SidesDoNotTurnTheNormalsOfTheSole) {
   }
 }
 
+/// A ring on a wider one whose nodes lie at both of its edges, where pressures are high: strains
+/// move the edges over these nodes.
+TEST_F(PairEdges, MayLieAtNodesOfTheSlave) {
+  folder_.write("pad.geo", R"(Point(1) = {4, 0, 0}; Point(2) = {6, 0, 0}; Point(3) = {6, 2, 0};
+Point(4) = {4, 2, 0}; Point(11) = {2, -2, 0}; Point(12) = {8, -2, 0}; Point(13) = {8, 0, 0};
+Point(14) = {2, 0, 0}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 11};
+Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1}; Curve Loop(11) = {11 : 14};
+Plane Surface(11) = {11};
+Transfinite Curve {1, 3} = 17; Transfinite Curve {2, 4} = 9; Transfinite Curve {11, 13} = 37;
+Transfinite Curve {12, 14} = 9; Transfinite Surface {1, 11}; Recombine Surface {1, 11};
+Physical Surface("pad") = {1}; Physical Surface("plate") = {11}; Physical Curve("sole") = {1};
+Physical Curve("top") = {3}; Physical Curve("face") = {13}; Physical Curve("base") = {11};
+)");
+  const auto model = this->model(R"(
+problem = "worn_body"
+mesh.file = "pad.geo"
+model.plane = "axisymmetric"
+body = [ { name = "pad", young_modulus = 1e3, poisson_ratio = 0.3 },
+         { name = "plate", young_modulus = 2e3, poisson_ratio = 0.3 } ]
+pair = [ { bodies = ["pad", "plate"], friction = 0.2 } ]
+support = [ { on = "base" }, { on = "top", directions = "r" } ]
+load = [ { on = "top", force = [0.0, -200.0] } ]
+motion = [ { body = "plate", rotation = 10.0 },
+           { body = "pad", rotation = -5.0, velocity = [0.0, 0.0, 30.0] } ]
+wear = { on = ["sole", "face"], coefficient = 1e-7, surfaces.face.coefficient = 2e-7 }
+time.end = 100.0
+)");
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 100);
+  const double pad = observed(*model, run.last(), "worn_volume_pad");
+  EXPECT_NEAR(observed(*model, run.last(), "worn_volume_plate") / pad, 2, 1e-4);
+  EXPECT_NEAR(pad / (1e-7 * 200 * (15 * 5 - 30) * 100), 1, 0.01);  // at a radius of 5
+}
+
 TEST_F(PairEdges, SurfacesThatMeetAtAnEdgeAreToldOf) {
   const auto told = [&](const char* on) {
     std::string geometry = pad(60);
