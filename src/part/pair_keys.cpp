@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/part/part_scene.hpp>
+#include <map>
 #include <set>
 
 #include "part/body_motions.hpp"
@@ -72,6 +73,14 @@ void require_two_bodies(const Scene& scene, const std::string& pair) {
            "other");
 }
 
+/// Empty: any.
+std::set<std::string> surfaces_of(const Scene& scene, const std::string& pair) {
+  const std::string key = pair + ".surfaces";
+  if (!scene.given(key)) return {};
+  const std::vector<std::string>& names = scene.texts(key);
+  return {names.begin(), names.end()};
+}
+
 }  // namespace
 
 bool may_stick(const Scene& scene) {
@@ -89,7 +98,7 @@ bool may_stick(const Scene& scene) {
 
 void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
   if (!has_pairs(scene)) return;
-  std::set<std::set<std::string>> seen;
+  std::map<std::set<std::string>, std::set<std::set<std::string>>> seen;  // surfaces by bodies
   mistakes.collect([&] {
     if (scene.chosen_names("pair.#.bodies").empty())
       throw InputError(scene.path().string() +
@@ -100,8 +109,11 @@ void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
         require_two_bodies(scene, pair);
         const std::vector<std::string>& names = scene.texts(pair + ".bodies");
         if (names[0] == names[1]) return;  // several folds of one body
-        if (!seen.insert({names[0], names[1]}).second)
-          refuse(scene, pair + ".bodies", "each pair of bodies once");
+        std::set<std::set<std::string>>& before = seen[{names[0], names[1]}];
+        const std::set<std::string> own = surfaces_of(scene, pair);
+        if (!before.empty() && (own.empty() || before.contains(own) || before.contains({})))
+          refuse(scene, pair + ".bodies", "each pair of bodies once, or with surfaces of its own");
+        before.insert(own);
       });
   });
 }

@@ -82,6 +82,35 @@ TEST_F(BondedPads, CarryTheLoadOnce) {
   EXPECT_NEAR(observed(*model, start, "wear_flux_B") / (1e-7 * 100), 30, 1e-3);
 }
 
+/// Two pairs of the same bodies, by their surfaces.
+TEST_F(BondedPads, MayBeOneBodyWithItsOwnFrictionOfEach) {
+  std::string geometry = pads, one = text;
+  const auto replace = [](std::string& in, const std::string& from, const std::string& to) {
+    in.replace(in.find(from), from.size(), to);
+  };
+  replace(geometry, R"(Physical Surface("A") = {1}; Physical Surface("B") = {2};)",
+          R"(Physical Surface("A") = {1, 2};)");
+  folder_.write("pads.geo", geometry);
+  const std::size_t second = one.find("[[body]]\nname = \"B\"");
+  one.erase(second, one.find("[[body]]", second + 1) - second);
+  replace(one, R"(bodies = ["A", "disc"])",
+          "bodies = [\"A\", \"disc\"]\nsurfaces = [\"left\", \"track\"]\nfriction = 0.01");
+  const std::string repeated = one;
+  replace(one, R"(bodies = ["B", "disc"])",
+          "bodies = [\"disc\", \"A\"]\nsurfaces = [\"track\", \"right\"]\nfriction = 0.03");
+  const auto model = this->model(one);
+  Counters counters;
+  const auto reactions = model->examine(model->start(counters)).reactions;
+  ASSERT_FALSE(reactions.empty());
+  EXPECT_NEAR(std::abs(reactions[0].force[0]), 0.01 * 40 + 0.03 * 30, 0.02);  // they tilt a little
+  std::string all = repeated, same = repeated;
+  replace(all, R"(bodies = ["B", "disc"])", R"(bodies = ["disc", "A"])");
+  replace(same, R"(bodies = ["B", "disc"])",
+          "bodies = [\"disc\", \"A\"]\nsurfaces = [\"track\", \"left\"]");
+  for (const std::string& scene : {all, same})
+    EXPECT_THAT(refusal(scene), ::testing::HasSubstr("each pair of bodies once"));
+}
+
 // Gross sliding, but for the shear of the pads where the motion turns.
 TEST_F(BondedPads, HaveTheWorkOfTheirFrictionOnce) {
   folder_.write("pads.geo", pads);
