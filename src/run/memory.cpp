@@ -2,6 +2,7 @@
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/packed_numbers.hpp>
+#include <gnomon/run/run.hpp>
 #include <gnomon/system/system.hpp>
 #include <utility>
 
@@ -83,6 +84,16 @@ void Epochs::repeat(std::span<const EpochStart> starts) {
     if (!succeed(state))
       throw InputError("this version of gnomon does not begin the epochs that the result has");
   }
+}
+
+std::shared_ptr<const Model> model_of_epoch(const Model& first, std::span<const EpochStart> begun) {
+  Epochs epochs(first);
+  epochs.repeat(begun);
+  return epochs.successor();
+}
+
+State state_at(const Checkpoint& checkpoint, const Model& model) {
+  return unpacked(checkpoint.numbers, model.system().structure()).state;
 }
 
 }  // namespace gnomon

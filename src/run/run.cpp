@@ -7,9 +7,9 @@
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/interruption.hpp>
 #include <gnomon/run/run.hpp>
-#include <limits>
 #include <set>
 
+#include "run/bounded_steps.hpp"
 #include "run/guards.hpp"
 #include "run/jump_ledger.hpp"
 #include "run/memory.hpp"
@@ -32,7 +32,8 @@ public:
         policy_(policy),
         schedule_(policy, settings.end),
         store_(policy, writer),
-        hooks_(hooks) {
+        hooks_(hooks),
+        steps_(integrator, settings_, policy.until, epochs_, observed_, memory_, counters_) {
     counters_.most_newton_iterations = hooks.most_newton_iterations;
     watch_model();
   }
@@ -85,7 +86,7 @@ private:
   void start() {
     state() = model().start(counters_);
     if (epochs_.replace_overdue(state())) watch_model();
-    Observation observed = observe({});
+    Observation observed = steps_.observe({});
     if (policy_.until) excess(*policy_.until, observed);  // refuses an unknown one
     record({}, std::move(observed));
     store_.store(model(), state());
@@ -94,7 +95,7 @@ private:
     for (const std::string& text : doubts(outcome_.examination)) warn("at the start " + text);
     if (hooks_.interrupted()) return;
     estimate_phase_error();
-    make_stepper();
+    steps_.begin();
     if (store_.checkpoint_is_due()) checkpoint();
   }
 
@@ -130,27 +131,16 @@ private:
         checkpoint_news();
         return Status::interrupted;
       }
-      if (!stepper_) make_stepper();
-      const State before = state();
-      memory_.stepper = stepper_->memory();
-      if (state().t >= early_end_) early_end_ = never, early_step_ = 0;
-      StepReport report;
+      BoundedStep step;
       try {
-        const Interruptible here(hooks_.interrupted);
-        report = stepper_->advance(state(), std::min(schedule_.stop(), early_end_));
+        step = steps_.advance(schedule_.stop(), hooks_.interrupted);
       } catch (const Interruption&) {
-        state() = before;
         if (store_.has_news()) store_.checkpoint(memory_, model().system().structure());
         return Status::interrupted;
       }
-      Observation observed = observe(report);
-      if (model().overdue) come_near(before, report, observed);
-      std::optional<Limit> limit = stop_short(before, report, observed);
-      if (policy_.until) end_early(before, report, observed);
-      if (policy_.until && limit) limit = model().limit(state());  // the step may be a shorter one
-      jumps_->add(before, state());
-      require_mesh(observed, before);
-      record(report, std::move(observed));
+      jumps_->add(step.before, state());
+      require_mesh(step.observed, step.before);
+      record(step.report, std::move(step.observed));
       progress.require(state().t, counters_);
       if (damping_) {
         damping_->require_damping_in_wider_contact(state(), observed_);
@@ -158,13 +148,13 @@ private:
       }
       if (schedule_.wants(state().t, counters_.steps) || ends_early())
         store_.store(model(), state());
-      if (limit && !ends_early()) throw at_limit(*limit);
+      if (step.limit && !ends_early()) throw at_limit(state().t, *step.limit);
       begin_epoch();
       if (store_.checkpoint_is_due()) checkpoint();
     }
     checkpoint_news();
     if (damping_) judge_damping();
-    stepper_.reset();  // its memory is needed
+    steps_.end();  // its memory is needed
     estimate_phase_error();
     return Status::finished;
   }
@@ -191,78 +181,13 @@ private:
       memory_.chattering = {};
       memory_.chattering.add(model().contact(state()));
     }
-    if (stepper_) {  // none at the start
-      auto next = integrator_.make(model().system(), settings_, counters_);
-      outcome_.restarts += !next->follow(*stepper_, state(), change->same_unknowns);
-      stepper_ = std::move(next);
-    }
+    outcome_.restarts += !steps_.follow(change->same_unknowns);
     store_.begin_epoch(std::move(change->start), epochs_.number(), model());
     if (store_.keeps_checkpoints()) checkpoint();
   }
 
   /// Whether the last good state is the last one of the run, by time.until.
   bool ends_early() const { return policy_.until && excess(*policy_.until, observed_) >= 0; }
-
-  void repeat(const State& before, double end, StepReport& report, Observation& observed) {
-    --counters_.steps;
-    ++counters_.rejected_steps;
-    state() = before;
-    make_stepper();
-    report = stepper_->advance(state(), end);
-    observed = observe(report);
-  }
-
-  /// Halves a step that goes beyond where another model should have followed.
-  void come_near(const State& before, StepReport& report, Observation& observed) {
-    constexpr int most = 20;  // where boundary is inside from the start
-    for (int i = 0; i < most && model().overdue(state()); ++i)
-      repeat(before, before.t + (state().t - before.t) / 2, report, observed);
-  }
-
-  /// Halves a step that has passed a limit of the model. Throws SolutionError where that is of no
-  /// use.
-  std::optional<Limit> stop_short(const State& before, StepReport& report, Observation& observed) {
-    constexpr int most = 20;
-    if (!model().limit) return {};
-    std::optional<Limit> limit = model().limit(state());
-    for (int i = 0; i < most && limit && limit->passed; ++i) {
-      repeat(before, before.t + (state().t - before.t) / 2, report, observed);
-      limit = model().limit(state());
-    }
-    if (!limit || !limit->passed) return limit;
-    state() = before;
-    throw at_limit(*limit);
-  }
-
-  SolutionError at_limit(const Limit& limit) {
-    return SolutionError(fmt::format("from t = {:.6g} s on {}", state().t, limit.reason));
-  }
-
-  /// Repeats a step that goes beyond time.until, with an end there. A method of several steps
-  /// begins again with small ones, and goes on to that end.
-  void end_early(const State& before, StepReport& report, Observation& observed) {
-    constexpr int most = 10;  // where an observation jumps
-    for (int i = 0; i < most; ++i) {
-      const double after = excess(*policy_.until, observed), step = state().t - before.t;
-      early_step_ = std::max(early_step_, step);
-      const double part =
-          after >= 0 ? part_until(excess(*policy_.until, observed_), after, early_step_ / step) : 1;
-      if (part >= 1) return;
-      early_end_ = before.t + part * step;
-      repeat(before, early_end_, report, observed);
-    }
-  }
-
-  /// After a step that is not yet recorded.
-  Observation observe(const StepReport& report) {
-    Observation observed = model().observe(state());
-    if (settings_.integrand) {  // where earlier versions have the column
-      const double before = value_of(observed_, "wear_integral").value_or(0);
-      observed.insert(std::ranges::find(observed, "wear_depth", &Scalar::name),
-                      common("wear_integral", before + report.integral, dimension_of(observed)));
-    }
-    return observed;
-  }
 
   void warn(const std::string& text) {
     outcome_.warnings.push_back(text);
@@ -326,19 +251,14 @@ private:
     }
   }
 
-  void make_stepper() {
-    stepper_ = integrator_.make(model().system(), settings_, counters_);
-    if (counters_.steps > 0) stepper_->restore(state(), memory_.stepper);
-  }
-
   /// So that no step is lost. A run that goes on from here restarts its method where the
   /// uninterrupted one did not.
   void checkpoint_news() {
-    if (stepper_ && store_.has_news()) checkpoint();
+    if (steps_.have_begun() && store_.has_news()) checkpoint();
   }
 
   void checkpoint() {
-    memory_.stepper = stepper_->memory();
+    steps_.remember();
     store_.checkpoint(memory_, model().system().structure());
   }
 
@@ -353,16 +273,13 @@ private:
   RunStore store_;
   const RunHooks& hooks_;
 
-  static constexpr double never = std::numeric_limits<double>::infinity();
-  double early_end_ = never;  ///< of steps that go to time.until
-  double early_step_ = 0;     ///< the largest of them
   Counters counters_;
   RunMemory memory_;
   std::optional<DampingWatch> damping_;
-  std::unique_ptr<Stepper> stepper_;
   std::optional<JumpLedger> jumps_;
   double initial_quality_ = 0;  // of the mesh at the beginning of the epoch
   Observation observed_;        // of the last good state
+  BoundedSteps steps_;
   RunOutcome outcome_;
   std::set<std::string> warned_of_;
 };
@@ -379,16 +296,6 @@ std::string RunOutcome::text() const {
       return "failed: " + diagnosis;
   }
   return {};
-}
-
-std::shared_ptr<const Model> model_of_epoch(const Model& first, std::span<const EpochStart> begun) {
-  Epochs epochs(first);
-  epochs.repeat(begun);
-  return epochs.successor();
-}
-
-State state_at(const Checkpoint& checkpoint, const Model& model) {
-  return unpacked(checkpoint.numbers, model.system().structure()).state;
 }
 
 RunOutcome run(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
