@@ -24,6 +24,9 @@ struct FoundationLaw {
   double pressure(double overlap) const;
 };
 
+/// Loads along free motions that are smaller, relative to all loads, are rounding errors.
+inline constexpr double rounding_of_loads = 1e-6;
+
 template <int dim>
 class Foundation {
 public:

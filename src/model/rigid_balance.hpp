@@ -5,9 +5,6 @@
 
 namespace gnomon {
 
-/// Loads along free motions that are smaller, relative to all loads, are rounding errors.
-inline constexpr double rounding_of_loads = 1e-6;
-
 /// Whether supports that move, or springs whose other ends do, press the bodies on each other: they
 /// are where these have moved them, which rigid bodies do not tell. Over a cycle springs alone do
 /// not lift them from a cam.
