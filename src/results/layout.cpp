@@ -43,24 +43,6 @@ std::string step_path(std::size_t step) {
   return fmt::format("{}/{:06}", group_path(step), step);
 }
 
-Handle stored_type() {
-  return row_type(sizeof(StoredRow), {{"t", offsetof(StoredRow, t), H5T_NATIVE_DOUBLE},
-                                      {"path", offsetof(StoredRow, path),
-                                       hdf5::text_type(sizeof(StoredRow::path)).id()}});
-}
-
-Handle contact_type() {
-  std::vector<Member> members = {{"node", offsetof(ContactRow, node), H5T_NATIVE_INT64}};
-  std::size_t offset = offsetof(ContactRow, initial);
-  for (const char* name :
-       {"X0", "Y0", "Z0", "X", "Y", "Z", "x", "y", "z", "pressure", "wear_depth"}) {
-    members.push_back({name, offset, H5T_NATIVE_DOUBLE});
-    offset += sizeof(double);
-  }
-  members.push_back({"active", offsetof(ContactRow, active), H5T_NATIVE_INT64});
-  return row_type(sizeof(ContactRow), members);
-}
-
 Handle block_type() {
   const Handle name = hdf5::text_type(sizeof(BlockRow::name));  // also of `where`
   const Handle symbol = hdf5::text_type(sizeof(BlockRow::symbol));
@@ -112,29 +94,6 @@ void write_header(hid_t gnomon, const RunHeader& header) {
     row.size = block.size;
   }
   hdf5::write_dataset(gnomon, "blocks", block_type().id(), {rows.size()}, rows.data());
-}
-
-void write_field(hid_t group, const GridField& field) {
-  const auto components = static_cast<hsize_t>(field.components);
-  std::vector<hsize_t> extents = {field.values.size() / components};
-  if (components > 1) extents.push_back(components);
-  const Handle dataset = hdf5::write_dataset(group, field.name, H5T_NATIVE_DOUBLE, extents,
-                                             field.values.data(), hdf5::Storage::compressed);
-  hdf5::write_attribute(dataset.id(), "unit", field.unit);
-  hdf5::write_attribute(dataset.id(), "on",
-                        std::string(field.on == GridField::On::nodes ? "nodes" : "cells"));
-}
-
-void write_contact(hid_t group, const std::string& name, const ContactSurface& contact) {
-  std::vector<ContactRow> rows;
-  for (std::size_t i = 0; i < contact.node.size(); ++i) {
-    rows.push_back({contact.node[i], contact.initial.at(i), contact.worn.at(i),
-                    contact.current.at(i), contact.pressure.at(i), contact.wear_depth.at(i),
-                    contact.active.at(i)});
-  }
-  const Handle dataset = hdf5::write_dataset(group, name, contact_type().id(), {rows.size()},
-                                             rows.data(), hdf5::Storage::compressed);
-  hdf5::write_attribute(dataset.id(), "dim", contact.dim);
 }
 
 }  // namespace gnomon::layout

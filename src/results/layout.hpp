@@ -83,25 +83,6 @@ private:
   hsize_t rows_ = 0;
 };
 
-/// A row of "gnomon/stored".
-struct StoredRow {
-  double t;
-  std::array<char, 32> path;  ///< "steps/0001/000123"
-};
-hdf5::Handle stored_type();
-
-/// A row of "gnomon/contact/...".
-struct ContactRow {
-  std::int64_t node;
-  std::array<double, 3> initial;
-  std::array<double, 3> worn;
-  std::array<double, 3> current;
-  double pressure;
-  double wear_depth;
-  std::int64_t active;
-};
-hdf5::Handle contact_type();
-
 /// A row of "gnomon/blocks".
 struct BlockRow {
   std::array<char, 64> name;
@@ -118,7 +99,5 @@ hdf5::Handle create_file(hdf5::CrashSafeFile& disk, const std::filesystem::path&
 hdf5::Handle create_group(hid_t parent, const std::string& name, std::size_t links);
 
 void write_header(hid_t gnomon, const RunHeader& header);
-void write_field(hid_t step, const GridField& field);
-void write_contact(hid_t group, const std::string& name, const ContactSurface& contact);
 
 }  // namespace gnomon::layout

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <gnomon/results/results.hpp>
 #include <thread>
 
@@ -12,6 +10,7 @@
 #include "results/layout.hpp"
 #include "results/replaced_file.hpp"
 #include "results/stored_mesh.hpp"
+#include "results/stored_steps.hpp"
 
 namespace gnomon {
 
@@ -58,72 +57,6 @@ RunHeader read_header(hid_t gnomon) {
   }
   header.blocks = read_blocks(gnomon);
   return header;
-}
-
-ContactSurface read_contact(hid_t file, const std::string& path) {
-  if (!hdf5::exists(file, path)) throw Failure("the problem has no contact surface");
-  const Handle dataset = hdf5::open_dataset(file, path, "read the contact surface");
-  const auto rows = layout::read_rows<layout::ContactRow>(dataset, layout::contact_type(),
-                                                          "read the contact surface");
-  ContactSurface contact;
-  const double dim = hdf5::read_number_attribute(dataset.id(), "dim");
-  if (dim != 2 && dim != 3)
-    throw Failure(fmt::format("cannot read the contact surface: it has {} dimensions", dim));
-  contact.dim = static_cast<int>(dim);
-  for (const layout::ContactRow& row : rows) {
-    contact.node.push_back(static_cast<int>(row.node));
-    contact.initial.push_back(row.initial);
-    contact.worn.push_back(row.worn);
-    contact.current.push_back(row.current);
-    contact.pressure.push_back(row.pressure);
-    contact.wear_depth.push_back(row.wear_depth);
-    contact.active.push_back(static_cast<int>(row.active));
-  }
-  return contact;
-}
-
-GridField read_field(hid_t file, const std::string& step, const std::string& name) {
-  if (name.empty() || name.find('/') != std::string::npos || !hdf5::exists(file, step) ||
-      !hdf5::exists(file, step + "/" + name)) {
-    throw Failure(fmt::format("it has no field {}", name));
-  }
-  const std::string path = step + "/" + name;
-  const Handle dataset = hdf5::open_dataset(file, path, "read a field");
-  GridField field;
-  field.name = name;
-  field.unit = hdf5::read_text_attribute(dataset.id(), "unit");
-  field.on = hdf5::read_text_attribute(dataset.id(), "on") == "cells" ? GridField::On::cells
-                                                                      : GridField::On::nodes;
-  auto data = hdf5::read_numbers<double>(file, path);
-  field.components = data.extents.size() == 2 ? static_cast<int>(data.extents[1]) : 1;
-  field.values = std::move(data.values);
-  return field;
-}
-
-// The stored step at t (without t, the last one): the nearest within 1e-9 of the run's length, or
-// the only one that agrees with t in the printed digits.
-std::size_t find_step(const std::vector<double>& times, std::optional<double> t) {
-  if (times.empty()) throw Failure("it has no stored step");
-  if (!t) return times.size() - 1;
-  if (!std::isfinite(*t)) throw Failure(fmt::format("it has no stored step at t = {}", *t));
-  const auto distance = [&](double time) { return std::abs(time - *t); };
-  const auto nearest = std::min_element(
-      times.begin(), times.end(), [&](double a, double b) { return distance(a) < distance(b); });
-  const double length = times.back() - times.front();
-  if (distance(*nearest) <= 1e-9 * length || *nearest == *t) {
-    return static_cast<std::size_t>(nearest - times.begin());
-  }
-  const auto alike = [&](double time) { return distance(time) <= 1e-5 * std::abs(time); };
-  if (std::count_if(times.begin(), times.end(), alike) == 1) {
-    return static_cast<std::size_t>(std::find_if(times.begin(), times.end(), alike) -
-                                    times.begin());
-  }
-  const auto above = std::upper_bound(times.begin(), times.end(), *t);
-  std::string next;
-  if (above != times.begin()) next += fmt::format("{}", *(above - 1));
-  if (above != times.begin() && above != times.end()) next += " and ";
-  if (above != times.end()) next += fmt::format("{}", *above);
-  throw Failure(fmt::format("it has no stored step at t = {}; next to it are t = {}", *t, next));
 }
 
 }  // namespace
@@ -179,19 +112,7 @@ public:
     header_ = read_header(gnomon_.id());
   }
 
-  std::vector<layout::StoredRow> stored() const {
-    const Handle dataset = hdf5::open_dataset(gnomon_.id(), "stored", "read the stored steps");
-    auto rows = layout::read_rows<layout::StoredRow>(dataset, layout::stored_type(),
-                                                     "read the stored steps");
-    for (layout::StoredRow& row : rows) row.path.back() = '\0';
-    return rows;
-  }
-
-  std::vector<double> times() const {
-    std::vector<double> times;
-    for (const layout::StoredRow& row : stored()) times.push_back(row.t);
-    return times;
-  }
+  std::vector<double> times() const { return layout::read_stored_times(gnomon_.id()); }
 
   hid_t file() const { return file_.id(); }
   hid_t gnomon() const { return gnomon_.id(); }
@@ -261,13 +182,8 @@ std::vector<PhaseError> ResultReader::phase_errors() const {
 }
 
 ContactSurface ResultReader::contact(std::optional<double> t) const {
-  ContactSurface surface = file_->guarded([&] {
-    const std::size_t step = find_step(file_->times(), t);
-    const std::string path = layout::step_path(step);
-    ContactSurface contact = read_contact(file_->gnomon(), "contact/" + path);
-    layout::read_phases(file_->gnomon(), path, contact);
-    return contact;
-  });
+  ContactSurface surface = file_->guarded(
+      [&] { return layout::read_contact(file_->gnomon(), layout::find_step(file_->times(), t)); });
   const bool has_pairs = header().scene.find("\n[pair.") != std::string::npos;
   if (const std::optional<Grid> mesh = has_pairs ? grid() : std::nullopt)
     find_bodies(*mesh, surface);
@@ -284,7 +200,7 @@ GridField ResultReader::field(std::size_t step, const std::string& name) const {
     const std::size_t count = file_->times().size();
     if (step >= count)
       throw Failure(fmt::format("it has {} stored steps, not {}", count, step + 1));
-    return read_field(file_->file(), "steps/" + layout::step_path(step), name);
+    return layout::read_field(file_->file(), step, name);
   });
 }
 

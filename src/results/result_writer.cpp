@@ -11,6 +11,7 @@
 #include "results/layout.hpp"
 #include "results/replaced_file.hpp"
 #include "results/stored_mesh.hpp"
+#include "results/stored_steps.hpp"
 #include "results/xdmf_sidecar.hpp"
 
 namespace gnomon {
@@ -47,9 +48,6 @@ private:
   void withdraw();
   const char* what_is_left() const;
   void flush();
-  void check_field(const GridField& field) const;
-  Handle open_steps(hid_t parent);
-  void store_phases(const std::string& name, const ContactSurface& contact);
 
   std::filesystem::path path_;
   Earlier earlier_;
@@ -59,9 +57,9 @@ private:
   double reached_ = 0;
   std::optional<hdf5::CrashSafeFile> disk_;
   // Released in reverse order, the file last.
-  Handle file_, gnomon_, steps_, contacts_, counters_, phases_, epoch_, checkpoints_;
-  layout::GrowingTable history_, stored_, phase_errors_;
-  layout::CounterSurfaces surfaces_;
+  Handle file_, gnomon_, epoch_, checkpoints_;
+  layout::StoredSteps steps_;
+  layout::GrowingTable history_, phase_errors_;
   std::vector<layout::Column> columns_;
   std::optional<XdmfSidecar> sidecar_;
   std::optional<Grid> grid_;
@@ -104,10 +102,7 @@ void ResultWriter::File::create(const RunHeader& header, const std::optional<Gri
   file_ = layout::create_file(*disk_, part_of(path_));
   gnomon_ = create_group(file_.id(), "gnomon", 10);
   layout::write_header(gnomon_.id(), header);
-  stored_ = {gnomon_.id(), "stored", layout::stored_type()};
-  contacts_ = create_group(gnomon_.id(), "contact", layout::kStepsPerGroup);
-  steps_ = create_group(file_.id(), "steps", layout::kStepsPerGroup);
-  counters_ = create_group(file_.id(), "counter_body", layout::kStepsPerGroup);
+  steps_ = {file_.id(), gnomon_.id()};
   grid_ = grid;
   if (grid) {
     layout::write_mesh(file_.id(), *grid);
@@ -191,62 +186,14 @@ void ResultWriter::File::append(const HistoryRow& row) {
   if (!published_ && reached_ > from_) publish();
 }
 
-void ResultWriter::File::check_field(const GridField& field) const {
-  if (field.components != 1 && field.components != 3) {
-    throw Error(
-        fmt::format("field {} has {} components, not 1 or 3", field.name, field.components));
-  }
-  const Grid none;
-  const Grid& grid = grid_ ? *grid_ : none;
-  const std::size_t count =
-      field.on == GridField::On::nodes ? grid.points.size() : grid.cell_count();
-  if (field.values.size() != count * static_cast<std::size_t>(field.components)) {
-    throw Error(fmt::format("field {} has {} values for {} places of {} components", field.name,
-                            field.values.size(), count, field.components));
-  }
-}
-
-// The group of a hundred steps that the next stored step goes to.
-Handle ResultWriter::File::open_steps(hid_t parent) {
-  const std::string name = layout::group_path(stored_.rows());
-  if (stored_.rows() % layout::kStepsPerGroup == 0) {
-    return create_group(parent, name, layout::kStepsPerGroup);
-  }
-  return hdf5::open_group(parent, name, "open a group");
-}
-
-void ResultWriter::File::store_phases(const std::string& name, const ContactSurface& contact) {
-  if (!phases_) phases_ = layout::create_phase_group(gnomon_.id(), contact);
-  layout::write_phases(gnomon_.id(), layout::group_path(stored_.rows()), name, contact);
-}
-
 void ResultWriter::File::store(double t, const std::vector<GridField>& fields,
                                const std::optional<ContactSurface>& contact,
                                const std::optional<CounterSurface>& counter_body) {
-  for (const GridField& field : fields) check_field(field);
-  const std::string path = layout::step_path(stored_.rows());
-  const std::string name = path.substr(path.find('/') + 1);
-  std::optional<layout::StoredSurface> surface;
-  {
-    const Handle hundred = open_steps(steps_.id());
-    const Handle step = create_group(hundred.id(), name, fields.size());
-    hdf5::write_attribute(step.id(), "t", t);
-    for (const GridField& field : fields) layout::write_field(step.id(), field);
-    const Handle contacts = open_steps(contacts_.id());
-    if (contact) layout::write_contact(contacts.id(), name, *contact);
-    if (contact && !contact->phase_position.empty()) store_phases(name, *contact);
-    const Handle counters = open_steps(counters_.id());
-    surface = surfaces_.put(counters.id(), name, "/counter_body/" + path, counter_body);
-    if (surface) layout::write_surface_names(step.id(), *surface);
-  }
+  const layout::StoredStep step = steps_.write(t, fields, contact, counter_body, grid_);
   flush();
-  // A separate commit: the step counts as stored when it is complete.
-  layout::StoredRow row{t, {}};
-  const std::string whole = "steps/" + path;
-  layout::put(row.path, whole);
-  stored_.append(&row);
+  steps_.count(step);  // a separate commit: the step counts as stored when it is complete
   flush();
-  if (sidecar_) sidecar_->add_step(t, "/" + whole, fields, surface);
+  if (sidecar_) sidecar_->add_step(t, "/" + step.path, fields, step.surface);
 }
 
 void ResultWriter::File::append_phase_error(const PhaseError& error) {
