@@ -101,36 +101,22 @@ private:
       scene_keys_.method = MethodFrom::scene;
   }
 
-  /// A parameter sweep needs no method: the scene has one.
   void add_method_of_scene() {
     if (!declaration_.methods.empty()) return;
     if (declaration_.compared)
       throw InputError(declaration_.file +
                        ": expected one [[method]] or more, got none; reference = \"none\" at the "
                        "top makes a sweep without errors, which needs no method");
-    Method method;
-    method.integrator = method.name = scene_.text("integrator.name");
-    method.origin = scene_.where("integrator.name");
-    const std::optional<double> step = scene_.real_if("integrator.step");
-    method.ladder = {step ? StudySetting{Kind::step, *step}
-                          : StudySetting{Kind::tolerance, scene_.real("integrator.rtol")}};
-    declaration_.methods.push_back(std::move(method));
-  }
-
-  /// One word for one value and for several.
-  static RawTable with_plurals(RawTable table) {
-    for (RawEntry& entry : table.entries)
-      if (entry.name == "step" || entry.name == "tolerance") entry.name += "s";
-    return table;
+    declaration_.methods.push_back(method_of_scene(scene_));
   }
 
   void read_table(const RawTable& table) {
     if (table.name == "sweep")
       declaration_.sweeps.push_back(sweep(table));
     else if (table.name == "method")
-      add_method(with_plurals(table));
+      add_method(declaration_.file, table, scene_keys_, declaration_.methods);
     else if (table.name == "reference")
-      declaration_.references.push_back(reference(with_plurals(table)));
+      declaration_.references.push_back(read_reference(declaration_.file, table, scene_keys_));
     else {
       const std::string near = nearest_name(table.name, {"sweep", "method", "reference"});
       throw InputError(fmt::format("{}: unknown table, {}",
@@ -172,68 +158,6 @@ private:
     }
   }
 
-  Method common_of(const KeyedTable& keyed) const {
-    Method method;
-    method.integrator = keyed.text("integrator");
-    method.name = keyed.has("name") ? keyed.text("name") : method.integrator;
-    method.settings = keyed.settings();
-    for (const SceneSetting& setting : method.settings)
-      if (setting.key == "time.end" || setting.key == "time.cycles")
-        throw InputError(setting.origin +
-                         ": cannot differ between methods, expected it in [set] or a [[sweep]]");
-    method.origin = keyed.where("integrator");
-    try {
-      Integrators::find(method.integrator, "integrator");
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", method.origin, error.what()));
-    }
-    return method;
-  }
-
-  void add_method(const RawTable& table) {
-    const KeyedTable keyed(
-        declaration_.file, table.line, table.entries,
-        {.prefix = "method.", .keys = method_keys(), .scene_keys = &scene_keys_});
-    Method method = common_of(keyed);
-    add_ladder(method, keyed, "steps", Kind::step);
-    add_ladder(method, keyed, "tolerances", Kind::tolerance);
-    if (method.ladder.empty())
-      throw InputError(fmt::format("{}: `{}` has nothing to run, expected steps or tolerances",
-                                   method.origin, method.name));
-    if (keyed.has("steps") && !Integrators::find(method.integrator, "integrator").fixed_steps)
-      throw InputError(fmt::format("{}: expected tolerances, {} chooses its own steps",
-                                   keyed.where("steps"), method.integrator));
-    for (const Method& earlier : declaration_.methods)
-      if (earlier.name == method.name)
-        throw InputError(fmt::format("{}: two methods are called \"{}\", expected different names",
-                                     keyed.where(keyed.has("name") ? "name" : "integrator"),
-                                     method.name));
-    declaration_.methods.push_back(std::move(method));
-  }
-
-  static void add_ladder(Method& method, const KeyedTable& keyed, const std::string& key,
-                         Kind kind) {
-    if (!keyed.has(key)) return;
-    for (const double value : keyed.reals(key)) {
-      for (const StudySetting& earlier : method.ladder)
-        if (earlier.kind == kind && earlier.value == value)
-          throw InputError(fmt::format("{}: {} is given twice, expected once", keyed.where(key),
-                                       number_text(value)));
-      method.ladder.push_back({kind, value});
-    }
-  }
-
-  Method reference(const RawTable& table) const {
-    SceneKeys scene_keys = scene_keys_;
-    scene_keys.method = MethodFrom::reference;
-    const KeyedTable keyed(
-        declaration_.file, table.line, table.entries,
-        {.prefix = "reference.", .keys = reference_keys(), .scene_keys = &scene_keys});
-    Method method = common_of(keyed);
-    method.ladder = {{Kind::tolerance, keyed.reals("tolerances").front()}};
-    return method;
-  }
-
   void read_references(const KeyedTable& top) {
     auto& references = declaration_.references;
     if (!declaration_.compared) {
@@ -242,27 +166,8 @@ private:
                          ": expected no self-reference with reference = \"none\"");
       return;
     }
-    if (references.empty()) {
-      const std::string origin = declaration_.file + ": default reference";
-      // On the pin, the error of the first is 1e-10 mm and that of the second 1e-9 mm.
-      references = {{"esdirk-5",
-                     "esdirk-5",
-                     {{Kind::tolerance, 1e-8}},
-                     {{"integrator.events", {RawScalar("locate")}, origin}},
-                     origin},
-                    {"bdf", "bdf", {{Kind::tolerance, 1e-9}}, {}, origin}};
-    }
-    const auto family = [](const Method& method) {
-      return Integrators::find(method.integrator, "integrator").family;
-    };
-    if (references.size() != 2)
-      throw InputError(
-          fmt::format("{}: expected two [[reference]] tables, or none of them for the default ones "
-                      "(or reference = \"none\" for a study without errors), got {}",
-                      references.back().origin, references.size()));
-    if (family(references[0]) == family(references[1]))
-      throw InputError(fmt::format("{}: expected references of two families, both are {}",
-                                   references[1].origin, family(references[0])));
+    if (references.empty()) references = default_references(declaration_.file);
+    require_two_families(references);
   }
 
   void read_self_reference(const KeyedTable& top) {
@@ -325,15 +230,6 @@ std::string first_comment(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
   const std::size_t begin = line.find_first_not_of("# ");
   return begin == std::string::npos ? "" : line.substr(begin);
-}
-
-std::string kind_name(Kind kind) {
-  return kind == Kind::step ? "step" : "rtol";
-}
-
-std::string number_text(double value) {
-  std::string text = toml_text(value);
-  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
 }
 
 Declaration read_declaration(const fs::path& file, Impossible impossible) {

@@ -8,17 +8,9 @@
 #include <vector>
 
 #include "study/keyed_table.hpp"
+#include "study/methods.hpp"
 
 namespace gnomon::study {
-
-/// A [[method]] or [[reference]].
-struct Method {
-  std::string name;
-  std::string integrator;
-  std::vector<StudySetting> ladder;
-  std::vector<SceneSetting> settings;
-  std::string origin;  ///< beginning of a message about it
-};
 
 /// A [[sweep]].
 struct Sweep {
@@ -59,9 +51,5 @@ std::vector<ContactSurface> closed_form(const Model& model, const std::vector<do
 
 /// What a file of TOML says of itself at its beginning; empty without a comment there.
 std::string first_comment(const std::string& text);
-/// "step", "rtol".
-std::string kind_name(StudySetting::Kind kind);
-/// Shortest text of a number: 20 for 20.0.
-std::string number_text(double value);
 
 }  // namespace gnomon::study
