@@ -6,23 +6,19 @@
 #include <algorithm>
 #include <cctype>
 #include <gnomon/base/error.hpp>
-#include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/study/study.hpp>
 #include <map>
 #include <set>
 
-#include "scene/key_check.hpp"
-#include "scene/scene_file.hpp"
-#include "scene/toml_text.hpp"
 #include "study/declaration.hpp"
+#include "study/run_scenes.hpp"
 
 namespace gnomon {
 
 namespace {
 
-namespace fs = std::filesystem;
 using namespace study;
 using Kind = StudySetting::Kind;
 
@@ -40,22 +36,15 @@ std::string last_part(const std::string& label) {
   return label.substr(label.rfind('.', label.find('=')) + 1);
 }
 
-/// Of scene keys, in the place of what the scene file gives for them.
-using Values = std::map<std::string, RawValue>;
-
 /// For each combination of swept values: the times at which errors are measured, the references
 /// (runs, or the closed form), and one run for each method and each of its steps or tolerances.
 /// Runs whose scenes are equal are one.
-///
-/// The scene of a run is the scene file, in which take the place of its own values, later ones that
-/// of earlier ones: what the study sets, the combination, what the method sets, and what the study
-/// needs (integrator, its step or tolerance, times to store).
 class Expansion {
 public:
   Expansion(const Declaration& declaration, Impossible impossible)
       : declaration_(declaration),
         kept_(impossible == Impossible::kept),
-        scene_file_(declaration.scene) {
+        scenes_(declaration.scene) {
     study_.file = declaration.file;
     study_.name = study_.file.stem().string();
     study_.title = declaration.title;
@@ -141,7 +130,7 @@ private:
   void add_ways_to_measure() {
     double end = 0;
     if (!possible(
-            [&] { end = guarded("", [&] { return scene_with(overrides_).real("time.end"); }); }))
+            [&] { end = guarded("", [&] { return scenes_.with(overrides_).real("time.end"); }); }))
       return;
     add_times(end);
     if (possible([&] { add_references(); })) return;
@@ -169,19 +158,6 @@ private:
     times.push_back(end);
     times.erase(std::unique(times.begin(), times.end()), times.end());
     require_apart(times, declaration_.times_origin);
-  }
-
-  /// The scene of the study with these values in the place of its own.
-  Scene scene_with(const Values& values) const {
-    std::vector<GivenValue> overrides;
-    for (const auto& [key, value] : values) overrides.push_back(override_of(key, value));
-    return scene_file_.scene(overrides, key_table);
-  }
-
-  static std::vector<std::string> override_texts(const Values& values) {
-    std::vector<std::string> texts;
-    for (const auto& [key, value] : values) texts.push_back(key + "=" + toml_text(value));
-    return texts;
   }
 
   /// Runs two references, unless the problem has a closed form or nothing is compared. Makes the
@@ -222,37 +198,13 @@ private:
     study_.points.push_back(std::move(point));
   }
 
-  Values overrides_of(const Method& method, const StudySetting& setting) const {
-    Values overrides = overrides_;
-    for (const SceneSetting& own : method.settings) overrides[own.key] = own.value;
-    overrides["integrator.name"] = raw_value(method.integrator);
-    const bool fixed = setting.kind == Kind::step;
-    overrides[fixed ? "integrator.step" : "integrator.rtol"] = raw_value(setting.value);
-    overrides["output.every"] = raw_value(0L);
-    overrides["output.times"] = raw_value(study_.sweep.back().times);
-    return overrides;
+  SceneValues overrides_of(const Method& method, const StudySetting& setting) const {
+    return values_of_run(overrides_, method, setting, study_.sweep.back().times);
   }
 
   Scene scene_of(const Method& method, const StudySetting& setting) const {
-    const auto overrides = overrides_of(method, setting);
-    const bool fixed = setting.kind == Kind::step;
     return guarded(title(method, setting), [&] {
-      // Runs lie in folders of their own, to which files of the scene are not relative.
-      Scene scene = with_cycle_tables(scene_with(overrides)).with_absolute_files();
-      if (!fixed) scene = scene.without("integrator.step");
-      if (scene.has("accuracy.within"))
-        throw InputError(scene.where("accuracy.within") +
-                         ": expected none in a study, which has settings of its own");
-      if (study_.compared && scene.given("time.until"))
-        throw InputError(scene.where("time.until") +
-                         ": expected none in a study of errors, whose runs end at the same time");
-      // Costs are compared: an estimate beside the run is not one of the method.
-      scene = scene.with("output.budget", false);
-      if (scene.knows("cycle.period") && scene.has("cycle.period"))
-        scene = scene.with("output.phase_errors", false);
-      store_policy(scene);
-      chosen_integrator(scene);
-      return scene;
+      return scenes_.of_run(overrides_of(method, setting), setting.kind, study_.compared);
     });
   }
 
@@ -263,8 +215,7 @@ private:
     return {scene_of(method, setting), {}};
   } catch (const InputError&) {
     if (!kept_) throw;
-    return {with_cycle_tables(scene_with({})).with_absolute_files(),
-            override_texts(overrides_of(method, setting))};
+    return {scenes_.complete({}), override_texts(overrides_of(method, setting))};
   }
 
   /// The run of this scene, a new one unless there is one already.
@@ -299,8 +250,8 @@ private:
   const Declaration& declaration_;
   const bool kept_;
   Study study_;
-  const SceneFile scene_file_;
-  Values overrides_;                         // of the sweep point
+  const RunScenes scenes_;
+  SceneValues overrides_;                    // of the sweep point
   std::string prefix_;                       // of the names of its runs
   std::map<std::string, std::size_t> runs_;  // resolved scene, index
   std::set<std::string> names_;
