@@ -1,0 +1,126 @@
+// What contact of pairs adds to J: by side, and by slave facet as a dense matrix.
+#include <gnomon/terms/mortar_term.hpp>
+
+#include "terms/mortar_facet_matrix.hpp"
+
+namespace gnomon {
+
+template <int dim>
+void MortarTerm<dim>::add(const std::vector<int>& rows, const std::vector<int>& columns,
+                          const Eigen::MatrixXd& K, std::span<double> values) const {
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (std::size_t i = 0; columns[j] >= 0 && i < rows.size(); ++i) {
+      const double value = K(Eigen::Index(i), Eigen::Index(j));
+      if (rows[i] < 0 || value == 0) continue;  // corners that are open have many
+      if (const int at = pattern_->find(rows[i], columns[j]); at >= 0) values[at] += value;
+    }
+}
+
+/// What does not depend on the sums of single facets.
+template <int dim>
+void MortarTerm<dim>::add_side(const Side& side, const SideState& state,
+                               std::span<double> values) const {
+  const ContactPatch<dim>& own = patch(side);
+  if (side.slave && !holds_gap(state)) {
+    const int number = lambda_number(side);
+    add({number}, {number}, Eigen::MatrixXd::Constant(1, 1, -1 / state_.rho), values);
+  }
+  if (!state.direction) return;
+  const auto count = static_cast<int>(own.nodes.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(dim, 2 * dim * count);
+  const double scale = weight(side) * state.area;
+  const Vector<dim> along = scale * state.direction->value;
+  for (int p = 0; p < count; ++p)
+    K.template middleCols<dim>(dim * (count + p)) =
+        scale * state.rate.value * state.direction->by_X[static_cast<std::size_t>(p)];
+  K.template middleCols<dim>(dim * count) -=
+      state.rate.by_depth * along * own.initial_normal.transpose();
+  std::vector<int> rows;
+  for (int i = 0; i < dim; ++i) rows.push_back(d_numbers_(own.node, i));
+  add(rows, numbers_of(own.nodes, false), K, values);
+}
+
+/// What depends on the sums of a facet.
+template <int dim>
+void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& facet,
+                                const MortarFacetTangent<dim>& tangent, const Surfaces& state,
+                                std::span<double> values) const {
+  std::vector<int> covering;
+  for (const auto& master : tangent.facet.masters) covering.push_back(master.facet);
+  const FacetNodes<dim> nodes = nodes_of(facet, covering);
+  const auto own = static_cast<int>(own_numbers_.front().size());
+  FacetMatrix<dim> matrix(nodes, tangent, places_[facet.pair], own);
+  for (int a = 0; a < corners; ++a) {
+    const SideState& slave = state.sides[facet.sides[a]];
+    matrix.set_corner(a, patch(sides_[facet.sides[a]]), *slave.normal, slave.traction);
+  }
+  std::vector<FacetNodal<dim>> labels;
+  for (const int master : covering)
+    if (state_.path) labels.push_back(labels_of(at, facet.pair, master));
+  for (int a = 0; a < corners; ++a) {
+    const Side& side = sides_[facet.sides[a]];
+    const SideState& slave = state.sides[facet.sides[a]];
+    if (slave.active) matrix.add_slave(a, patch(side).initial_area);
+    if (state_.path && slave.area > 0)
+      matrix.add_place(a, slave.area, slave.covering / slave.area, labels);
+    if (slave.direction)
+      matrix.add_slave_wear(a, weight(side) * slave.direction->value, slave.rate.value,
+                            slave.rate_by_pressure, slave.rate_by_speed);
+  }
+  for (std::size_t k = 0; k < covering.size(); ++k)
+    for (int b = 0; b < corners; ++b)
+      add_master(facet, state, static_cast<int>(k), b,
+                 side_of(facet.pair, state_.pairs[facet.pair].master[covering[k]][b]), matrix);
+  const std::vector<int> columns = columns_of(facet, nodes);
+  add(rows_of(facet, nodes), columns, matrix.values(), values);
+  add(creepage_numbers_, columns, matrix.force_on_slave(), values);
+}
+
+template <int dim>
+void MortarTerm<dim>::add_master(const SlaveFacet& facet, const Surfaces& at, int master, int b,
+                                 int side, FacetMatrix<dim>& matrix) const {
+  const SideState& state = at.sides[side];
+  for (int a = 0; a < corners; ++a) {
+    const SideState& slave = at.sides[facet.sides[a]];
+    if (slave.active) matrix.add_pressing(a, master, b);
+    if (!state.direction) continue;
+    // d(Wdot C) by the area, load and power that the slave's corner shares with the master's.
+    const double by_power = state.rate_by_speed / state.pressure(),
+                 by_load = state.rate_by_pressure - by_power * state.speed(),
+                 by_area = state.rate.value - state.pressure() * state.rate_by_pressure;
+    const MortarTraction<dim>& of = slave.traction;
+    const double by_pressure = by_load + by_power * of.speed;
+    const Vector<dim> direction = weight(sides_[side]) * state.direction->value;
+    matrix.add_master_wear(a, master, b, direction, by_area + of.pressure * by_pressure);
+    matrix.add_master_wear_by_traction(a, master, b, direction, by_pressure,
+                                       by_power * of.pressure);
+  }
+}
+
+template <int dim>
+void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
+                                   std::span<double> values) const {
+  const Surfaces result = surfaces(at);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    add_side(sides_[s], result.sides[s], values);
+    if (state_.path && sides_[s].slave)
+      add_path(at, sides_[s], result.sides[s], rate_weight, values);
+  }
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (result.facets[f].masters.empty()) continue;
+    // One after the other: in space each is large.
+    const auto [slave, masters] = places_of(facets_[f], at, result);
+    const MortarFacetTangent<dim> tangent(slave, masters, facets_[f].masters, state_.section,
+                                          state_.pairs[facets_[f].pair].reach);
+    add_facet(at, facets_[f], tangent, result, values);
+  }
+}
+
+template void MortarTerm<2>::add(const std::vector<int>&, const std::vector<int>&,
+                                 const Eigen::MatrixXd&, std::span<double>) const;
+template void MortarTerm<2>::add_jacobian(const Evaluation<2>&, double, std::span<double>) const;
+template void MortarTerm<3>::add(const std::vector<int>&, const std::vector<int>&,
+                                 const Eigen::MatrixXd&, std::span<double>) const;
+template void MortarTerm<3>::add_jacobian(const Evaluation<3>&, double, std::span<double>) const;
+
+}  // namespace gnomon
