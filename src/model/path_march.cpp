@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
+#include "model/first_loading.hpp"
 #include "model/wear_start.hpp"
 
 namespace gnomon {
@@ -49,39 +49,6 @@ struct PathMarch<dim>::Alone {
   }
 };
 
-namespace {
-
-template <int dim>
-Phase<dim> with_parts(Phase<dim> phase, const LoadingStep& parts) {
-  phase.load *= parts.press;
-  if (phase.force) *phase.force *= parts.press;
-  phase.swing = parts.others;
-  std::vector<Guide<dim>>& guides = phase.counter_body.guides;
-  for (std::size_t k = 1; k < guides.size(); ++k)
-    if (guides[k].force) *guides[k].force *= parts.others;
-  if (parts.others == 0 && !guides.empty() && phase.force)
-    phase.counter_body.come_along(guides.front().along);
-  return phase;
-}
-
-/// Before anything else pushes the bodies, something has to press them: where other forces grow
-/// with what presses, they do so from a small part of it on, in increments.
-std::vector<LoadingStep> with_a_pressed_start(std::vector<LoadingStep> steps) {
-  constexpr double small = 0.05;
-  constexpr int increments = 10;
-  const LoadingStep first = steps.front();
-  if (first.others == 0) return steps;
-  std::vector<LoadingStep> way = {{small * first.press, 0}};
-  for (int k = 1; k < increments; ++k) {
-    const double part = std::lerp(small, 1.0, double(k) / increments);
-    way.push_back({part * first.press, part * first.others});
-  }
-  steps.insert(steps.begin(), way.begin(), way.end());
-  return steps;
-}
-
-}  // namespace
-
 /// The forces where the path begins grow to the first step of the loading, and on from step to
 /// step.
 template <int dim>
@@ -101,10 +68,8 @@ void PathMarch<dim>::load() {
   if (ramp.reached < 1) throw SolutionError(failure_of(ramp, whole_.assembly(), begin));
   keep(alone, last_);
   for (std::size_t k = 1; k < steps.size(); ++k)
-    advance(last_, [&](double part) {
-      return with_parts(begin, {std::lerp(steps[k - 1].press, steps[k].press, part),
-                                std::lerp(steps[k - 1].others, steps[k].others, part)});
-    });
+    advance(last_,
+            [&](double part) { return with_parts(begin, between(steps[k - 1], steps[k], part)); });
 }
 
 template <int dim>
@@ -309,21 +274,9 @@ FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters
   return march.cycle();
 }
 
-template <int dim>
-std::vector<Phase<dim>> halved(const Assembly<dim>& assembly) {
-  std::vector<CyclePoint> ends;
-  for (const Phase<dim>& phase : assembly.phases)
-    for (const double back : {0.5, 0.0})
-      ends.push_back({phase.position - back * phase.interval, phase.interval / 2});
-  return path_phases(ends, assembly.cycle->motion, assembly.interface.partner,
-                     assembly.interface.force);
-}
-
 template class PathMarch<2>;
 template class PathMarch<3>;
 template FieldValues<2> start_of_path(const WornBodyEquations<2>&, Counters&);
 template FieldValues<3> start_of_path(const WornBodyEquations<3>&, Counters&);
-template std::vector<Phase<2>> halved(const Assembly<2>&);
-template std::vector<Phase<3>> halved(const Assembly<3>&);
 
 }  // namespace gnomon

@@ -77,8 +77,4 @@ private:
 template <int dim>
 FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters& counters);
 
-/// The phases of a path, each in two halves.
-template <int dim>
-std::vector<Phase<dim>> halved(const Assembly<dim>& assembly);
-
 }  // namespace gnomon

@@ -225,6 +225,17 @@ void guess_halves(const WornBodyEquations<dim>& equations, const FieldValues<dim
   }
 }
 
+/// The phases of a path, each in two halves.
+template <int dim>
+std::vector<Phase<dim>> halved(const Assembly<dim>& assembly) {
+  std::vector<CyclePoint> ends;
+  for (const Phase<dim>& phase : assembly.phases)
+    for (const double back : {0.5, 0.0})
+      ends.push_back({phase.position - back * phase.interval, phase.interval / 2});
+  return path_phases(ends, assembly.cycle->motion, assembly.interface.partner,
+                     assembly.interface.force);
+}
+
 /// The mean wear rates of the next cycle of a path, with each phase in two halves.
 template <int dim>
 std::vector<double> mean_rate_of_halves(const WornBodyEquations<dim>& equations,
