@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <deque>
 #include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/diagonally_implicit.hpp>
 #include <gnomon/integrators/error_norm.hpp>
@@ -11,9 +9,9 @@
 #include <gnomon/integrators/step_size.hpp>
 #include <gnomon/integrators/stop_times.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
-#include <limits>
 #include <utility>
 
+#include "integrators/erk_stages.hpp"
 #include "sundials/room.hpp"
 
 namespace gnomon {
@@ -21,29 +19,6 @@ namespace gnomon {
 using namespace sundials;
 
 namespace {
-/// ERKStep (until 6.7) uses the rate of a last stage at c = 1 as the rate at the end of the step,
-/// which is right only if that stage is the new value; in Heun's method it is not, and the method
-/// would lose half of its stability. Where needed, the new value is appended as a stage of weight
-/// zero, whose rate the next step uses.
-int stages_with_end(const ButcherTable& table) {
-  const int s = table.stages();
-  return table.stiffly_accurate() || table.c[s - 1] != 1 ? s : s + 1;
-}
-
-TableOwner table_with_end(const ButcherTable& table) {
-  const int s = table.stages(), n = stages_with_end(table);
-  Eigen::MatrixXd transposed = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(n), c = Eigen::VectorXd::Ones(n), embedded = b;
-  transposed.topLeftCorner(s, s) = table.A.transpose();
-  b.head(s) = table.b;
-  c.head(s) = table.c;
-  embedded.head(s) = table.b_embedded;
-  if (n > s) transposed.col(s) = b;
-  TableOwner result(ARKodeButcherTable_Create(n, table.order, table.embedded_order, c.data(),
-                                              transposed.data(), b.data(), embedded.data()));
-  check(result.get(), "ARKodeButcherTable_Create");
-  return result;
-}
 
 /// The PI controller that chooses the steps: with every version of SUNDIALS, the default parameters
 /// of ERKStep 6.4.
@@ -73,6 +48,7 @@ public:
         expected_error_(settings, table_.embedded_order, table_.embedded_order),
         algebraic_(system, counters, settings.nonlinear_fraction),
         proposal_(settings.step),
+        stages_(table_),
         step_control_(pi_controller, context_),
         d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
   std::vector<double> memory() const override { return {proposal_}; }
@@ -148,9 +124,7 @@ private:
       self.evaluate(t, view(d));
       self.gather(self.whole_.ydot, view(ddot));
       const double integrand = self.settings_.integrand ? self.integrand(self.whole_) : 0;
-      self.evaluated_.push_back({t, integrand, {view(ddot).begin(), view(ddot).end()}});
-      if (self.evaluated_.size() > static_cast<std::size_t>(self.table_.stages()) + 2)
-        self.evaluated_.pop_front();
+      self.stages_.add({t, integrand, {view(ddot).begin(), view(ddot).end()}});
     });
   }
 
@@ -247,43 +221,17 @@ private:
     return settings_.integrand({at.t, at.y, at.ydot, nullptr, from_});
   }
 
-  /// The place in evaluated_ of the second stage of the step of size h that ERKStep has just taken
-  /// from `start`, the first stage. The others were evaluated last, one after the other; after them
-  /// there may be the end of the step, as a separate stage or for the next step.
-  std::ptrdiff_t second_stage(const State& start, double h) const {
-    const double rounding = 1e-9 * h + 8 * std::numeric_limits<double>::epsilon() * start.t;
-    const std::ptrdiff_t later = table_.stages() - 1;
-    const std::ptrdiff_t behind = stages_with_end(table_) - table_.stages();
-    for (auto first = std::ssize(evaluated_) - behind - later; first >= 0; --first) {
-      int i = 1;
-      while (i <= later &&
-             std::abs(evaluated_[first + i - 1].t - (start.t + table_.c[i] * h)) <= rounding)
-        ++i;
-      if (i > later) return first;
-    }
-    throw SolutionError("the stages of " + table_.name +
-                        " cannot be told apart: steps are too short");
-  }
-
   /// The integral over the step, and what it leaves for the next if its size is fixed: its error.
-  /// Both by the weights of the table.
   double sum_up(const State& start, double h) {
     if (!settings_.integrand && !fixed()) return 0;
     // Stages of so short a step differ by rounding; its error is nothing.
     if (!settings_.integrand && h <= 1e-9 * settings_.step) return 0;
-    const std::ptrdiff_t second = second_stage(start, h);
-    double integral = settings_.integrand ? table_.b[0] * integrand(start) : 0;
-    std::vector<double> error(norm_.components().size());
-    gather(start.ydot, error);
-    for (double& e : error) e *= h * (table_.b[0] - table_.b_embedded[0]);
-    for (int i = 1; i < table_.stages(); ++i) {
-      const Evaluated& stage = evaluated_[second + i - 1];
-      integral += table_.b[i] * stage.integrand;
-      for (std::size_t k = 0; k < error.size(); ++k)
-        error[k] += h * (table_.b[i] - table_.b_embedded[i]) * stage.rates[k];
-    }
-    expected_error_.learn(h, norm_(error, whole_.y));
-    return h * integral;
+    ErkStage first{start.t, settings_.integrand ? integrand(start) : 0, {}};
+    first.rates.resize(norm_.components().size());
+    gather(start.ydot, first.rates);
+    const ErkStages::Sums sums = stages_.sums(first, h);
+    expected_error_.learn(h, norm_(sums.error, whole_.y));
+    return sums.integral;
   }
 
   const System& system_;
@@ -300,11 +248,7 @@ private:
   double proposal_;                 // size of the next attempt; 0 before the first adaptive step
   double step_ = 0;                 // size of this attempt, or more
   long rejected_ = 0;
-  struct Evaluated {
-    double t, integrand;
-    std::vector<double> rates;
-  };
-  std::deque<Evaluated> evaluated_;  // the last ones
+  ErkStages stages_;
   Guard guard_;
   // Destroyed in reverse: ERKStep before what it refers to, the context last.
   Context context_;
