@@ -1,16 +1,14 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gnomon/model/examination.hpp>
-#include <gnomon/model/gap_motion.hpp>
 #include <gnomon/model/magnitudes.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <limits>
-#include <set>
-#include <span>
 
-#include "mesh/facet_table.hpp"
 #include "model/body_turn.hpp"
 #include "model/connected_parts.hpp"
+#include "model/intrusion.hpp"
 #include "model/observed_path.hpp"
 #include "model/observed_rolling.hpp"
 #include "model/resultants.hpp"
@@ -21,67 +19,6 @@
 namespace gnomon {
 
 namespace {
-
-/// Points between the nodes of a facet, by the weights of its nodes in cyclic order.
-template <int dim>
-const std::vector<std::array<double, 1 << (dim - 1)>>& points_between() {
-  static const auto points = [] {
-    constexpr int parts = dim == 2 ? 8 : 4;
-    std::vector<std::array<double, 1 << (dim - 1)>> made;
-    for (int i = 1; i < parts; ++i) {
-      const double a = double(i) / parts;
-      if constexpr (dim == 2) {
-        made.push_back({1 - a, a});
-      } else {
-        for (int j = 1; j < parts; ++j) {
-          const double b = double(j) / parts;
-          made.push_back({(1 - a) * (1 - b), a * (1 - b), a * b, (1 - a) * b});
-        }
-      }
-    }
-    return made;
-  }();
-  return points;
-}
-
-/// The deepest of the boundary without contact inside the counter-body, in any phase: nodes that
-/// cannot touch, and where no node does, points between them.
-template <int dim>
-std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equations,
-                                            const FieldValues<dim>& values, double t,
-                                            const std::vector<PhaseContact<dim>>& contacts) {
-  // Part of a facet by which a smooth counter-body that its nodes resolve lies between them.
-  constexpr double resolved = 0.02;
-  const Assembly<dim>& assembly = equations.assembly();
-  std::set<int> nodes = nodes_of_facets(assembly.interface.boundary);
-  for (const ContactPatch<dim>& patch : assembly.contact_nodes) nodes.erase(patch.node);
-  std::optional<BoundaryPoint> deepest;
-  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
-    const WornBodyFields& fields = equations.fields(p);
-    const CounterBody<dim>& other = equations.phases()[p].counter_body;
-    const PartnerMotion<> q = equations.partner_motion(values, t, p);
-    const auto look = [&](std::span<const int> at, std::span<const double> weights, double least) {
-      Vector<dim> initial = Vector<dim>::Zero(), x = initial;
-      for (std::size_t a = 0; a < at.size(); ++a) {
-        initial += weights[a] * assembly.mesh.nodes[at[a]];
-        x += weights[a] *
-             (values.vector(fields.d).row(at[a]) + values.vector(fields.u).row(at[a])).transpose();
-      }
-      const double gap = other.unchecked_distance(initial + x, q, t).gap;
-      if (gap < -std::max(least, deepest ? deepest->depth : 0))
-        deepest = BoundaryPoint{point_in_space<dim>(initial), -gap};
-    };
-    for (const int node : nodes)
-      if (!is_worn_away(assembly, values.vector(fields.d), assembly.mesh.nodes[node]))
-        look(std::array{node}, std::array{1.0}, 0);
-    if (std::ranges::any_of(contacts[p].nodes, &ContactNode<dim>::active)) continue;
-    for (const auto& facet : facets_of(assembly.interface.surfaces))
-      for (const auto& weights : points_between<dim>())
-        look(facet, weights,
-             resolved * (assembly.mesh.nodes[facet[1]] - assembly.mesh.nodes[facet[0]]).norm());
-  }
-  return deepest;
-}
 
 /// From one end of the cycle's sliding to the other; absent where it does not come back.
 template <int dim>

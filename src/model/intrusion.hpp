@@ -1,0 +1,17 @@
+// Where a counter-body is inside a body without contact.
+#pragma once
+
+#include <gnomon/model/wear_model.hpp>
+#include <optional>
+#include <vector>
+
+namespace gnomon {
+
+/// The deepest of the boundary without contact inside the counter-body, in any phase: nodes that
+/// cannot touch, and where no node does, points between them.
+template <int dim>
+std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equations,
+                                            const FieldValues<dim>& values, double t,
+                                            const std::vector<PhaseContact<dim>>& contacts);
+
+}  // namespace gnomon
