@@ -11,8 +11,8 @@
 //   partner    = -G' force                    rows of the partner's unknowns q (partner.hpp)
 //
 // v_T is the tangential part of F V - v^2 and |v_T| the speed (sliding.hpp), n the normal of the
-// partner, Wdot the rate of the wear law, N a normal by one of the rules below, P the
-// projector on the directions in which the shape may move.
+// partner, Wdot the rate of the wear law, N a normal by one of the rules of nodal_surface.hpp, P
+// the projector on the directions in which the shape may move.
 #pragma once
 
 #include <algorithm>
@@ -22,19 +22,11 @@
 #include <gnomon/laws/wear_law.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
 #include <gnomon/shapes/counter_body.hpp>
+#include <gnomon/terms/nodal_surface.hpp>
 #include <gnomon/terms/sliding.hpp>
 #include <span>
 
 namespace gnomon {
-
-/// The direction and length of N, by which a wear rate moves the shape.
-///
-///   averaged      sum_f A^_f S_f/|S_f| / sum_f A^_f    (A^_f: initial shares, eq. 35)
-///   normalised    the same, normalised to length one
-///   conservative  A a/|a|^2; a is the derivative of the body's volume with respect to the
-///                 position of the node, along the directions in which its shape may move. The
-///                 body then loses volume at the rate sum A Wdot, on every mesh.
-enum class NormalRule { averaged, normalised, conservative };
 
 /// Constants of all contact nodes.
 template <int dim>
@@ -45,15 +37,6 @@ struct ContactParameters {
   Vector<dim> streaming = Vector<dim>::Zero();  ///< V of eq. (7), along the surface [length / time]
   NormalRule normal_rule = NormalRule::averaged;
   double rho = 1;  ///< [stress / length]
-};
-
-/// Area and normal of a node in the undeformed configuration.
-template <int dim, class Scalar = double>
-struct NodalSurface {
-  Scalar area;
-  Vector<dim, Scalar> normal;  ///< N; zero if the conservative rule has none
-
-  NodalSurface(const ContactPatch<dim>& patch, const PatchNodal<dim, Scalar>& X, NormalRule rule);
 };
 
 /// The state of a contact node: everything that its residual depends on.
@@ -175,22 +158,6 @@ struct ContactNodeTangent {
 // ---- templates on the scalar
 // ---------------------------------------------------------------------
 
-/// The derivative of the body's volume by the node's position [length^(dim-1)], along the
-/// directions in which its shape may move.
-template <int dim, class Scalar>
-Vector<dim, Scalar> free_volume_gradient(const ContactPatch<dim>& patch,
-                                         const PatchNodal<dim, Scalar>& X) {
-  Vector<dim, Scalar> a = Vector<dim, Scalar>::Zero();
-  for (const auto* corners : {&patch.corners, &patch.corners_beyond})
-    for (const auto& corner : *corners) a += corner_volume_gradient<dim, Scalar>(corner, X);
-  return patch.shape_free.template cast<Scalar>() * a;
-}
-
-/// Whether the volume that a node removes determines how far it moves, from |a|^2.
-inline bool determines_motion(double square, double area) {
-  return square > 1e-8 * area * area;
-}
-
 /// Throws RecoverableError where a closed node has several normals.
 template <int dim>
 void require_normal(const ContactPatch<dim>& patch, const Partner<dim>& partner);
@@ -233,25 +200,6 @@ WearInput wear_input(const ContactPatch<dim>& patch, const Vector<4>& variables,
           .friction_power = variables[3],
           .moment = moment,
           .initial = initial_position_of<dim>(patch)};
-}
-
-template <int dim, class Scalar>
-NodalSurface<dim, Scalar>::NodalSurface(const ContactPatch<dim>& patch,
-                                        const PatchNodal<dim, Scalar>& X, NormalRule rule) {
-  area = Scalar(0);
-  normal.setZero();
-  const bool conserves = rule == NormalRule::conservative;
-  for (const auto& corner : patch.corners) {
-    const Vector<dim, Scalar> S = corner_area_vector<dim, Scalar>(corner, X);
-    const Scalar size = S.norm();
-    area += Scalar(corner.share) * size;
-    if (!conserves) normal += Scalar(corner.initial_area / patch.initial_area) * S / size;
-  }
-  if (rule == NormalRule::normalised) normal /= Scalar(normal.norm());
-  if (!conserves) return;
-  const Vector<dim, Scalar> a = free_volume_gradient<dim, Scalar>(patch, X);
-  if (const Scalar square = a.squaredNorm(); determines_motion(plain(square), plain(area)))
-    normal = Scalar(area / square) * a;
 }
 
 template <int dim, class Scalar>

@@ -1,8 +1,9 @@
 // The derivatives of NodalSurface with respect to the undeformed positions of a patch.
 #pragma once
 
+#include <array>
 #include <gnomon/mesh/corner_derivatives.hpp>
-#include <gnomon/terms/contact_node.hpp>
+#include <gnomon/terms/nodal_surface.hpp>
 
 namespace gnomon {
 
