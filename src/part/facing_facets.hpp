@@ -1,7 +1,6 @@
 // Which facets of two bodies can touch each other, and which of the bodies is the slave.
 #pragma once
 
-#include <functional>
 #include <gnomon/model/assembly.hpp>
 #include <map>
 #include <string>
@@ -29,27 +28,6 @@ void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<
 template <int dim>
 void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section section,
                     MortarPair<dim>& pair);
-
-/// Whether facets with these normals, unit, that share a node meet at an edge, of 15 degrees or
-/// more: rounded edges turn by less from facet to facet.
-template <int dim>
-bool meet_at_edge(const Vector<dim>& one, const Vector<dim>& other) {
-  constexpr double edge = 0.966;  // cosine
-  return one.dot(other) < edge;
-}
-
-/// Drops the sides of a boundary that do not wear and join what does across an edge: nodes of a
-/// wearing surface have normals of its own. What is beyond a further edge stays.
-template <int dim>
-void drop_across_edges(const std::vector<Vector<dim>>& x,
-                       const std::vector<typename Mesh<dim>::Facet>& wearing,
-                       std::vector<typename Mesh<dim>::Facet>& boundary);
-
-/// Adds facets of the boundary beside them that face about the same way: one at each end, and all
-/// that wear and go on from there.
-template <int dim>
-void join_beside(const std::vector<Vector<dim>>& x, MortarPair<dim>& pair,
-                 const std::function<bool(const typename Mesh<dim>::Facet&)>& wears);
 
 /// The mean size of facets, edges of them in space [length].
 template <int dim>

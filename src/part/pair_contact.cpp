@@ -12,6 +12,7 @@
 #include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
 #include "model/rigid_balance.hpp"
+#include "part/boundary_beside.hpp"
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"
 #include "part/pair_cycle.hpp"

@@ -16,6 +16,7 @@
 #include "model/connected_parts.hpp"
 #include "model/rigid_parts.hpp"
 #include "part/body_motions.hpp"
+#include "part/boundary_beside.hpp"
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
