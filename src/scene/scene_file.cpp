@@ -12,6 +12,7 @@
 #include "scene/key_check.hpp"
 #include "scene/retired_keys.hpp"
 #include "scene/toml_reader.hpp"
+#include "scene/unknown_key.hpp"
 
 namespace gnomon {
 

@@ -12,6 +12,7 @@
 #include "scene/raw_value.hpp"
 #include "scene/toml_reader.hpp"
 #include "scene/toml_text.hpp"
+#include "scene/unknown_key.hpp"
 #include "study/text_file.hpp"
 
 namespace gnomon::study {

@@ -6,6 +6,7 @@
 #include <gnomon/scene/keys.hpp>
 
 #include "scene/key_check.hpp"
+#include "scene/unknown_key.hpp"
 
 namespace gnomon::study {
 
