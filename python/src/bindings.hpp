@@ -28,6 +28,8 @@ namespace py = pybind11;
 void add_errors(py::module_& module);
 void add_scene(py::module_& module);
 void add_model(py::module_& module);
+/// Called by add_model(), which adds the states before.
+void add_system(py::module_& module);
 void add_runs(py::module_& module);
 void add_results(py::module_& module);
 void add_extensions(py::module_& module);
