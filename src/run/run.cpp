@@ -286,18 +286,6 @@ private:
 
 }  // namespace
 
-std::string RunOutcome::text() const {
-  switch (status) {
-    case Status::finished:
-      return ended_by.starts_with("time.until: ") ? "finished: " + ended_by.substr(12) : "finished";
-    case Status::interrupted:
-      return "interrupted";
-    case Status::failed:
-      return "failed: " + diagnosis;
-  }
-  return {};
-}
-
 RunOutcome run(const Model& model, const Integrator& integrator, const IntegratorSettings& settings,
                const StorePolicy& policy, ResultWriter* writer, const RunHooks& hooks,
                const Resumption* from) {

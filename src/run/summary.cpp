@@ -57,6 +57,18 @@ std::optional<Json> read_summary(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::string RunOutcome::text() const {
+  switch (status) {
+    case Status::finished:
+      return ended_by.starts_with("time.until: ") ? "finished: " + ended_by.substr(12) : "finished";
+    case Status::interrupted:
+      return "interrupted";
+    case Status::failed:
+      return "failed: " + diagnosis;
+  }
+  return {};
+}
+
 bool is_summary(const std::filesystem::path& file) {
   return read_summary(file).has_value();
 }
