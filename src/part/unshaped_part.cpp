@@ -117,6 +117,10 @@ AssemblyParts<dim> read_unshaped_part(const Scene& scene, const ImportedBody<dim
   std::vector<Surface<dim>> surfaces;
   std::vector<ContactPatch<dim>> patches;
   const bool pairs = has_pairs(scene);
+  mistakes.collect([&] {
+    if (dim == 3 && section_of(scene) == Section::meridian)
+      refuse(scene, "model.plane", "a mesh in the plane, of r and z; this one is in space");
+  });
   mistakes.collect([&] { require_partner(scene); });
   const bool wears = !pairs && mistakes.collect([&] {
     surfaces = wearing_surfaces(scene, part);

@@ -152,6 +152,14 @@ Physical Surface("ring") = {1, 2, 3, 4};
   EXPECT_NEAR(half_width(1, 0, R"("a", "d")"), at_seam, 1e-6);
 }
 
+TEST_F(Parts, InSpaceAreNotOfRevolution) {
+  const Scene scene =
+      load_scene(shipped("pin_on_disc.toml"), {"model.plane=axisymmetric"}, key_table);
+  EXPECT_THAT(
+      [&] { make_model(scene); },
+      ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("expected a mesh in the plane")));
+}
+
 // What a result keeps is enough to make the same equations again.
 TEST_F(Parts, AreMadeAgainFromTheMeshOfTheirResult) {
   const Scene scene = scene_of(shipped("block_on_ring.toml"), {"mesh.factor=4"});
