@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/shapes/counter_surface.hpp>
+#include <set>
 
 #include "base/spectrum.hpp"
 
@@ -51,6 +52,17 @@ bool is_symmetric(const ContactSurface& surface, const Nodes& patch, double end,
     largest = std::max(largest, std::abs(surface.current[i][c] - surface.initial[i][c]));
   }
   return there < small * elsewhere;
+}
+
+/// Whether a patch of a plane contact goes all round: each of its nodes lies between two others.
+bool is_closed(const ContactSurface& surface, const std::vector<Nodes>& neighbours,
+               const Nodes& patch) {
+  if (surface.dim != 2 || neighbours.empty()) return false;
+  return std::ranges::all_of(patch, [&](std::size_t i) {
+    const std::set<std::size_t> others(neighbours[i].begin(), neighbours[i].end());
+    return others.size() >= 2 &&
+           std::ranges::all_of(others, [&](std::size_t j) { return surface.pressure[j] > 0; });
+  });
 }
 
 Nodes inside_of(const ContactSurface& surface, const Nodes& patch) {
@@ -158,7 +170,8 @@ Nodes inner_nodes(const ContactSurface& surface, const std::vector<Nodes>& neigh
       std::ranges::all_of(patches, [&](const Nodes& patch) { return patch.size() < least; });
   for (const Nodes& patch : patches)
     if (all_small || patch.size() >= least)
-      std::ranges::copy(inside_of(surface, patch), std::back_inserter(inner));
+      std::ranges::copy(is_closed(surface, neighbours, patch) ? patch : inside_of(surface, patch),
+                        std::back_inserter(inner));
   return inner;
 }
 

@@ -13,8 +13,9 @@ std::vector<std::vector<std::size_t>> surface_neighbours(const std::optional<Gri
 /// The nodes under pressure within 0.9 of each connected patch of the contact, from its middle to
 /// its edge. An ellipse stands for a patch: that of the covariance of its nodes, as large as the
 /// farthest of them. A patch that ends at a plane of symmetry, x, y or z = constant along whose
-/// normal no node there moves, is taken with its mirror image. Patches of less than three nodes
-/// count only where there is no larger one.
+/// normal no node there moves, is taken with its mirror image. One that goes all
+/// round in the plane has no edge and is all inside. Patches of less than three nodes count only
+/// where there is no larger one.
 std::vector<std::size_t> inner_nodes(const ContactSurface& surface,
                                      const std::vector<std::vector<std::size_t>>& neighbours);
 

@@ -92,6 +92,21 @@ TEST(InnerContact, APlaneOfSymmetryIsItsMiddle) {
   EXPECT_EQ(Line(ones(21), range(0, 21)).inner(), range(1, 20));  // nothing moves: not one
 }
 
+TEST(InnerContact, OfARingWithoutEndsIsAllOfIt) {
+  constexpr std::size_t count = 24;
+  Line ring(ones(count));
+  ring.surface.dim = 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2 * M_PI * static_cast<double>(i) / count;
+    ring.surface.initial[i] = {std::cos(angle), std::sin(angle), 0};
+    ring.neighbours[i] = {(i + 1) % count, (i + count - 1) % count};
+  }
+  EXPECT_EQ(ring.inner().size(), count);
+  for (std::size_t i = 0; i < count / 2; ++i) ring.surface.pressure[i] = 0;
+  EXPECT_LT(ring.inner().size(), count / 2);  // it has ends
+  EXPECT_GT(ring.inner().size(), count / 4);
+}
+
 TEST(InnerContact, OfOneNodeIsThatNode) {
   EXPECT_EQ(Line({0, 1, 0}).inner(), range(1, 2));
   EXPECT_TRUE(Line({0, 0, 0}).inner().empty());
