@@ -82,14 +82,15 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
   Progress progress(quiet, settings.end);
   long iterations = 0;
   const auto judge = [&](const Model& model, const State& state, const Observation& observed) {
-    if (!setup.scene.flag("output.budget") && !plan) return std::string();
+    if (!setup.scene.flag("output.budget") && !plan) return EndJudgement();
     const std::optional<Goals> goals = goals_of(model, state, observed);
-    if (!goals) return std::string();
+    if (!goals) return EndJudgement();
     progress.say("estimating the errors");
     const BudgetHooks hooks{.interrupted = InterruptGuard::interrupted};
     const double work = static_cast<double>(iterations) * goals->nonzeros;
-    return budget_json(plan ? find_budget(*plan, setup.scene, *goals, hooks)
-                            : quick_budget(setup.scene, *goals, work, hooks));
+    const Budget budget = plan ? find_budget(*plan, setup.scene, *goals, hooks)
+                               : quick_budget(setup.scene, *goals, work, hooks);
+    return EndJudgement{budget_json(budget), budget_warnings(budget)};
   };
   const RunHooks hooks{.on_step =
                            [&](const HistoryRow& row) {

@@ -51,10 +51,8 @@ private:
     Trial coarse = companions_.run(twice, "twice as large elements", &run_.goals);
     part.how = change_text(run_.scene, twice);
     require_refined_contact(coarse.goals, run_.goals);
-    part.errors = mesh_differences(coarse.goals, run_.goals);
-    const std::vector<double> further = coarser_differences(key, coarse, part);
-    for (std::size_t i = 0; i < further.size(); ++i)
-      part.errors[i] = extrapolated(part.errors[i], further[i]).error;
+    extrapolate(part, budget_.values, mesh_differences(coarse.goals, run_.goals),
+                coarser_differences(key, coarse, part));
     coarse_ = std::move(coarse);
     coarse_is_ = change_text(run_.scene, twice);
   }
@@ -122,9 +120,11 @@ bool BudgetHooks::wants(ErrorSource source) const {
 
 double Budget::total(std::size_t value) const {
   double sum = not_known;
-  for (const BudgetPart& part : parts)
-    if (const double error = part.errors[value]; !std::isnan(error))
-      sum = std::isnan(sum) ? error : sum + error;
+  for (const BudgetPart& part : parts) {
+    const double error = part.errors[value];
+    if (std::isnan(error) && !part.doubt.empty()) return not_known;
+    if (!std::isnan(error)) sum = std::isnan(sum) ? error : sum + error;
+  }
   return sum;
 }
 

@@ -70,7 +70,15 @@ std::string budget_table(const Budget& budget) {
   for (const BudgetPart& part : budget.parts)
     if (!part.unknown.empty())
       text += fmt::format("{} is not known: {}\n", title(budget, part), part.unknown);
+  for (const std::string& warning : budget_warnings(budget)) text += warning + "\n";
   return text;
+}
+
+std::vector<std::string> budget_warnings(const Budget& budget) {
+  std::vector<std::string> warnings;
+  for (const BudgetPart& part : budget.parts)
+    if (!part.doubt.empty()) warnings.push_back(title(budget, part) + ": " + part.doubt);
+  return warnings;
 }
 
 std::string budget_text(const Budget& budget) {
@@ -114,6 +122,7 @@ std::string budget_json(const Budget& budget) {
                              {"key", part.key},
                              {"how", part.how},
                              {"unknown", part.unknown},
+                             {"doubt", part.doubt},
                              {"errors", errors}});
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -129,7 +138,8 @@ Budget budget_of_json(const std::string& text) try {
                     .key = given.at("key"),
                     .how = given.at("how"),
                     .errors = {},
-                    .unknown = given.at("unknown")};
+                    .unknown = given.at("unknown"),
+                    .doubt = given.value("doubt", "")};  // files of before have none
     for (const Scalar& value : budget.values) {
       const Json& error = given.at("errors").at(value.name);
       part.errors.push_back(error.is_null() ? not_known : error.get<double>());

@@ -1,5 +1,8 @@
 #include "budget/extrapolation.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,6 +38,24 @@ double part_as_coarse(const Goals& coarse, const Goals& fine) {
     unrefined += edge > shorter * coarse.edge[i];
   }
   return touching > 0 ? unrefined / touching : 0;
+}
+
+/// The order with which differences fall; not a number where it is unknown, or above 2.
+double log_of_fall(double fine, double coarse) {
+  constexpr double most = 2;
+  const double observed = std::log2(coarse / fine);  // not a number where the signs differ
+  return observed <= most ? observed : not_known;
+}
+
+/// Whether a value may be that of an edge of a body, where pressure may be singular.
+bool is_of_edge(const std::string& value) {
+  return value == "wear_depth" || value == "profile" || value == "max_pressure";
+}
+
+Extrapolated with_order(double fine, double coarse, double order) {
+  const double difference =
+      std::isnan(coarse) ? std::abs(fine) : std::max(std::abs(fine), std::abs(coarse) / 8);
+  return {difference / (std::exp2(order) - 1), order};
 }
 
 }  // namespace
@@ -83,13 +104,38 @@ void respect_area(const Goals& goals, std::vector<double>& errors) {
 }
 
 Extrapolated extrapolated(double fine, double coarse) {
-  constexpr double least = 0.5, most = 2;
-  const double difference =
-      std::isnan(coarse) ? std::abs(fine) : std::max(std::abs(fine), std::abs(coarse) / 8);
-  const double observed = std::log2(coarse / fine);  // not a number where the signs differ
-  const double order =
-      observed >= least && observed <= most ? std::max(observed, 1.0) : usual_order;
-  return {difference / (std::exp2(order) - 1), order};
+  constexpr double least = 0.5;
+  const double observed = log_of_fall(fine, coarse);
+  return with_order(fine, coarse, observed >= least ? std::max(observed, 1.0) : usual_order);
+}
+
+Extrapolated extrapolated_at_edge(double fine, double coarse) {
+  constexpr double least = 0.25, lowest = 0.5, small = 0.01;
+  const double observed = log_of_fall(fine, coarse);
+  if (std::isnan(observed) || std::abs(fine) < small) return extrapolated(fine, coarse);
+  if (observed < least) return {not_known, not_known};
+  return with_order(fine, coarse, std::max(observed, lowest));
+}
+
+void extrapolate(BudgetPart& part, const std::vector<Scalar>& values,
+                 const std::vector<double>& fine, const std::vector<double>& coarse, double finer) {
+  std::vector<std::string> growing;
+  part.errors.clear();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto [error, order] = is_of_edge(values[i].name)
+                                    ? extrapolated_at_edge(fine[i], coarse[i])
+                                    : extrapolated(fine[i], coarse[i]);
+    part.errors.push_back(error * std::pow(finer, -order));
+    if (std::isnan(error) && !std::isnan(fine[i]))
+      growing.push_back(fmt::format("{} (by {:.2g} %, then {:.2g} %)", values[i].name,
+                                    100 * std::abs(coarse[i]), 100 * std::abs(fine[i])));
+  }
+  if (!growing.empty())
+    part.doubt = fmt::format(
+        "the changes of {} from larger to smaller elements hardly fall: the error is not known, "
+        "and "
+        "may be several times as large",
+        fmt::join(growing, ", "));
 }
 
 }  // namespace gnomon::budget

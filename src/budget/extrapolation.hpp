@@ -29,7 +29,7 @@ std::vector<double> errors_of_coarser(const Goals& coarse, const Goals& fine);
 /// that of the pressure inside, which differences() leave out, they are added.
 void respect_area(const Goals& goals, std::vector<double>& errors);
 
-/// The error of the finer of two runs, and the observed order.
+/// The error of the finer of two runs, and the order with which it falls.
 struct Extrapolated {
   double error, order;
 };
@@ -43,5 +43,18 @@ struct Extrapolated {
 /// all came nearer to the true error and none below it. Differences that fall faster than with h^3
 /// do so by chance.
 Extrapolated extrapolated(double fine, double coarse);
+
+/// That of values which may be those of an edge, where no mesh resolves a singular pressure before
+/// wear has removed it. Differences of the same sign and of 1 % or more are not of chance there:
+/// the order is the observed one down to 0.5, also for lower ones (as it rises when the edge is
+/// resolved, a lower one would tell some four times the error), and not_known with the error below
+/// 0.25, for the error may then be any multiple of the difference.
+Extrapolated extrapolated_at_edge(double fine, double coarse);
+
+/// Errors of a part from the differences() of three meshes, on elements `finer` times as fine as
+/// those of the finest of them; and why some values are not known.
+void extrapolate(BudgetPart& part, const std::vector<Scalar>& values,
+                 const std::vector<double>& fine, const std::vector<double>& coarse,
+                 double finer = 1);
 
 }  // namespace gnomon::budget

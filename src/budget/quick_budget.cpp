@@ -79,12 +79,8 @@ private:
     const Trial fine = cheap(*smaller, "a finer mesh", &coarse_->goals);
     part.how = change_text(scene_, fine.scene) + " against " + change_text(scene_, coarse_->scene);
     require_refined_contact(coarse_->goals, fine.goals);
-    part.errors = mesh_differences(coarse_->goals, fine.goals);
-    const std::vector<double> further = coarser_differences(key, 2 * factor);
-    for (std::size_t i = 0; i < further.size(); ++i) {
-      const auto [error, order] = extrapolated(part.errors[i], further[i]);
-      part.errors[i] = error * std::pow(factor / 2, -order);
-    }
+    extrapolate(part, budget_.values, mesh_differences(coarse_->goals, fine.goals),
+                coarser_differences(key, 2 * factor), factor / 2);
   }
 
   /// From elements of half the size.

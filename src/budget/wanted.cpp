@@ -153,11 +153,13 @@ std::string accuracy_text(const Scene& asked, const Budget& shown) {
     return each.unknown.empty() ? assumed(each.errors[worst]) : 0;
   });
   const double within = asked.real("accuracy.within");
-  std::string reached = fmt::format("{:.2g}", 100 * error);
-  if (error > within && reached == fmt::format("{:.2g}", 100 * within))
+  std::string reached = fmt::format("{:.2g} %", 100 * error);
+  if (error > within && reached == fmt::format("{:.2g} %", 100 * within))
     reached = "a little more than " + reached;
+  if (part != shown.parts.end() && part->unknown.empty() && std::isnan(part->errors[worst]))
+    reached = "not known";
   return fmt::format(
-      "asked for {:.2g} % in {}: {} %, that of {}, mostly by {}{}{}", 100 * within,
+      "asked for {:.2g} % in {}: {}, that of {}, mostly by {}{}{}", 100 * within,
       fmt::join(asked.texts("accuracy.of"), ", "), reached, shown.values[worst].name,
       part == shown.parts.end() ? "nothing" : part->key, without,
       error > within ? "; this is NOT within it (gnomon plan shows what it takes)" : "");

@@ -79,8 +79,10 @@ private:
   }
 
   void judge() {
-    outcome_.budget = hooks_.judge(model(), state(), observed_);
+    const EndJudgement judgement = hooks_.judge(model(), state(), observed_);
+    outcome_.budget = judgement.budget;
     store_.write_budget(outcome_.budget);
+    for (const std::string& text : judgement.warnings) warn(text);
   }
 
   void start() {

@@ -60,6 +60,40 @@ TEST_F(Accuracy, MayBeAskedForInsteadOfSettings) {
               AllOf(HasSubstr("#     10 %"), HasSubstr("[pin]")));
 }
 
+// Friction presses on the front edge of a block; before wear has removed what is singular there,
+// the largest depth grows by 10 to 18 % with each halving of the elements.
+TEST_F(Accuracy, AnEdgeThatIsNotResolvedIsWarnedOf) {
+  write("block.geo", R"(
+Point(1) = {-5, 0, 0, 0.5}; Point(2) = {5, 0, 0, 0.5}; Point(3) = {5, 8, 0, 1}; Point(4) = {-5, 8, 0, 1};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1:4}; Plane Surface(1) = {1}; Recombine Surface{1};
+Physical Curve("face") = {1}; Physical Curve("top") = {3}; Physical Surface("block") = {1};
+)");
+  write("block.toml", R"(problem = "worn_body"
+mesh.file = "block.geo"
+body = { young_modulus = 2000.0, poisson_ratio = 0.35 }
+support = [ { on = "top" } ]
+friction.coefficient = 0.3
+wear = { on = ["face"], coefficient = 1e-8 }
+time.end = 100.0
+[counter_body]
+shape = "plane"
+center = [0.0, 0.0]
+normal = [0.0, 1.0]
+motion = { velocity = [200.0, 0.0] }
+press = { direction = [0.0, 1.0], force = 30.0 }
+)");
+  const Outcome run = gnomon({"run", "block.toml", "-o", "a.h5", "--summary", "s.json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, AllOf(HasSubstr("warning: mesh: the changes of wear_depth"),
+                             HasSubstr("the error is not known")));
+  const auto json = nlohmann::json::parse(test::read_text(folder() / "s.json"));
+  EXPECT_EQ(json["budget"]["values"][1]["name"], "wear_depth");
+  EXPECT_TRUE(json["budget"]["values"][1]["error"].is_null());
+  EXPECT_FALSE(json["budget"]["values"][0]["error"].is_null());  // worn_volume
+  EXPECT_THAT(gnomon({"budget", "block.toml"}).out, HasSubstr("hardly fall"));
+}
+
 TEST_F(Accuracy, IsRefusedWhereNothingWouldPlan) {
   write_scene("[accuracy]\nwithin = 0.1\n");
   write("study.toml",

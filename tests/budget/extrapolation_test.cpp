@@ -2,7 +2,7 @@
 
 #include "budget/extrapolation.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 
@@ -10,20 +10,46 @@ namespace gnomon::budget {
 namespace {
 
 // Values 1 + c h^p on h, 2h and 4h: the error of the first is c h^p.
-TEST(Extrapolation, FindsAnErrorOfOrderOneToTwo) {
-  for (const double order : {1.0, 1.5, 2.0}) {
-    const auto value = [&](double h) { return 1 + 0.01 * std::pow(h, order); };
-    const auto [error, found] = extrapolated(value(2) - value(1), value(4) - value(2));
-    EXPECT_NEAR(error, 0.01, 1e-12);
+TEST(Extrapolation, FindsAnErrorOfItsOrder) {
+  const auto expect_found = [](double order, const auto& by) {
+    const auto value = [&](double h) { return 1 + 0.1 * std::pow(h, order); };
+    const auto [error, found] = by(value(2) - value(1), value(4) - value(2));
+    EXPECT_NEAR(error, 0.1, 1e-12);
     EXPECT_NEAR(found, order, 1e-9);
-  }
+  };
+  for (const double order : {1.0, 1.5, 1.9}) expect_found(order, extrapolated);
+  for (const double order : {0.5, 0.7, 1.0, 1.5, 1.9}) expect_found(order, extrapolated_at_edge);
 }
 
 TEST(Extrapolation, DoesNotBelieveInLowOrders) {
-  EXPECT_EQ(extrapolated(0.01, 0.015).order, 1);  // 0.58 by the differences
-  EXPECT_EQ(extrapolated(0.01, 0.01).order, usual_order);
-  EXPECT_EQ(extrapolated(0.01, -0.02).order, usual_order);
-  EXPECT_EQ(extrapolated(0.01, not_known).order, usual_order);
+  EXPECT_EQ(extrapolated(0.03, 0.045).order, 1);  // 0.58 by the differences
+  EXPECT_EQ(extrapolated(0.03, 0.03).order, usual_order);
+  EXPECT_EQ(extrapolated(0.03, -0.06).order, usual_order);
+  EXPECT_EQ(extrapolated(0.03, not_known).order, usual_order);
+}
+
+TEST(Extrapolation, DoesNotKnowAnErrorAtAnEdgeThatHardlyFalls) {
+  EXPECT_EQ(extrapolated_at_edge(0.03, 0.037).order, 0.5);  // 0.3 by the differences
+  EXPECT_TRUE(std::isnan(extrapolated_at_edge(0.03, 0.034).error));
+  EXPECT_TRUE(std::isnan(extrapolated_at_edge(-0.03, -0.02).error));
+  EXPECT_EQ(extrapolated_at_edge(0.002, 0.002).order, usual_order);  // chance
+  EXPECT_EQ(extrapolated_at_edge(0.03, -0.03).order, usual_order);
+  EXPECT_EQ(extrapolated_at_edge(0.03, not_known).order, usual_order);
+}
+
+TEST(Extrapolation, NamesTheValuesWhoseErrorIsNotKnown) {
+  BudgetPart part{.source = ErrorSource::mesh, .key = "mesh.factor", .how = {}, .errors = {}};
+  const std::vector<Scalar> values = {{"wear_depth", "mm", 1}, {"approach", "mm", 1}};
+  extrapolate(part, values, {0.12, 0.01}, {0.09, 0.02}, 2);
+  EXPECT_TRUE(std::isnan(part.errors[0]));
+  EXPECT_NEAR(part.errors[1], 0.005, 1e-12);  // of order 1
+  EXPECT_THAT(part.doubt, ::testing::HasSubstr("of wear_depth (by 9 %, then 12 %) from"));
+  const Budget budget{.values = values,
+                      .parts = {part, {ErrorSource::time, "integrator.rtol", "", {1e-6, 1e-6}}}};
+  EXPECT_THAT(budget_warnings(budget), ::testing::ElementsAre("mesh: " + part.doubt));
+  EXPECT_THAT(budget_table(budget), ::testing::HasSubstr(part.doubt));
+  EXPECT_TRUE(std::isnan(budget.total(0)));  // a small part of it is no bound
+  EXPECT_GT(budget.total(1), 0.005);
 }
 
 TEST(Extrapolation, OfAnAreaIsAtLeastWhatItsLastNodesLeaveOpen) {

@@ -71,6 +71,7 @@ struct BudgetPart {
   /// Relative, one for each of Goals::values, or not_known.
   std::vector<double> errors;
   std::string unknown{};  ///< why none is known; empty: some are
+  std::string doubt{};    ///< of which values meshes show that errors may be large, and why
 };
 
 struct Budget {
@@ -79,7 +80,7 @@ struct Budget {
   double run_seconds = 0;        ///< CPU time of the run that is judged [s]
   double companion_seconds = 0;  ///< of the others [s]
 
-  /// Sum of the known parts, relative; not_known where none is known.
+  /// Sum of the known parts, relative; not_known where none is known, or one is in doubt.
   double total(std::size_t value) const;
 };
 
@@ -118,6 +119,8 @@ Budget quick_budget(const Scene& scene, const Goals& goals, double work, const B
 std::string budget_table(const Budget& budget);
 /// The same, and how each part was found.
 std::string budget_text(const Budget& budget);
+/// BudgetPart::doubt of each part that has one, in a line.
+std::vector<std::string> budget_warnings(const Budget& budget);
 /// As JSON, an object; and such text again. Throws InputError for another one.
 std::string budget_json(const Budget& budget);
 Budget budget_of_json(const std::string& text);

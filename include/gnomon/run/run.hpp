@@ -83,7 +83,7 @@ struct RunOutcome {
   /// Of a cycle: the errors of the mean over its phases, at the start and at the end.
   std::vector<PhaseError> phase_errors;
   Examination examination;  ///< of the last good state
-  /// What RunHooks::judge says of a finished run; empty: nothing.
+  /// EndJudgement::budget of a finished run; empty: nothing.
   std::string budget;
   /// The warnings of the run, one line each: reasons why its numbers may be worthless.
   std::vector<std::string> warnings;
@@ -91,6 +91,12 @@ struct RunOutcome {
   /// "finished", "finished: wear_depth > 1.0", "interrupted", "failed: DIAGNOSIS", as in the result
   /// file.
   std::string text() const;
+};
+
+/// What is said of a finished run.
+struct EndJudgement {
+  std::string budget{};  ///< its error budget as JSON, which the result keeps; empty: there is none
+  std::vector<std::string> warnings{};
 };
 
 struct RunHooks {
@@ -101,8 +107,8 @@ struct RunHooks {
   /// Called with each of RunOutcome::warnings when it arises.
   std::function<void(const std::string&)> on_warning = [](const std::string&) {};
   /// Called with the model and the last state of a finished run, and their observation, before the
-  /// result is closed: its error budget as JSON, which the result keeps; empty: there is none.
-  std::function<std::string(const Model&, const State&, const Observation&)> judge{};
+  /// result is closed.
+  std::function<EndJudgement(const Model&, const State&, const Observation&)> judge{};
   /// Called after the start and every step, and within steps; true ends the run at the last one.
   std::function<bool()> interrupted = [] { return false; };
   /// Also within the start or a step; more fail.
