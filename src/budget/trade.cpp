@@ -12,7 +12,6 @@ namespace gnomon::budget {
 
 namespace {
 
-constexpr double used_part = 0.5;
 /// Times the default tolerance: near the largest that controls steps.
 const double loosest = std::pow(10.0, 2.5);
 
@@ -57,6 +56,11 @@ void learn_mesh(const Trial& coarse, const Trial& fine, double factor,
   // bounds.
   constexpr double chance = 3, most_gain = 0.5;
   const double error = largest(errors, places) / std::pow(factor, usual_order);
+  if (getenv("DBG"))
+    fprintf(stderr, "learn factor %g error %g at factor; coefficient %g before %g\n", factor,
+            largest(errors, places), error, trade.mesh);
+  for (auto i : places)
+    if (getenv("DBG")) fprintf(stderr, "  %s %g\n", fine.goals.values[i].name.c_str(), errors[i]);
   trade.mesh = std::clamp(most_gain * trade.mesh, error, chance * error);
   trade.cost_mesh = std::max({cost_of_nodes * nodes_added(coarse.goals, fine.goals),
                               std::log2(fine.work / coarse.work), least_cost});
@@ -64,11 +68,13 @@ void learn_mesh(const Trial& coarse, const Trial& fine, double factor,
 }
 
 Factors cheapest(const Trade& trade, double within) {
-  const double target = used_part * within;
-  // What cannot be changed is not made up for by the rest.
+  return cheapest(trade, within / 2, within / 4);
+}
+
+Factors cheapest(const Trade& trade, double target, double least_rest) {
   const double fixed =
       trade.rest + (trade.free_mesh ? 0 : trade.mesh) + (trade.free_time ? 0 : trade.time);
-  const double rest = std::max(target - fixed, target / 4);
+  const double rest = std::max(target - fixed, least_rest);
   Factors best;
   double least = std::numeric_limits<double>::infinity();
   for (const double mesh : choices(trade.free_mesh, trade.coarsest, 2))

@@ -28,10 +28,12 @@ struct Factors {
 PlanLine predicted(const Trade& trade, Factors factors);
 
 /// The cheapest factors whose error is at most half of `within`, because estimates are wrong by a
-/// factor of two. Where errors that cannot be changed leave less than a quarter of that half, the
-/// others may still be that quarter. Where no factors reach this: the finest mesh, and steps that
-/// suit it.
+/// factor of two. Errors that cannot be changed, as those of given settings, leave at least half of
+/// that to the others: what they spoil is not made up for by a mesh of any cost.
 Factors cheapest(const Trade& trade, double within);
+/// Those whose error is at most `target`; what cannot be changed leaves at least `least_rest`.
+/// Where no factors reach this: the finest mesh, and steps that suit it.
+Factors cheapest(const Trade& trade, double target, double least_rest);
 
 /// What a pilot on elements of `factor` times a size, and one on twice as large ones, tell of the
 /// mesh: its cost, and its error in the wanted places. Where that is less than half of what coarser

@@ -176,8 +176,8 @@ std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Scene& 
   // large elements at once, for estimates of large errors are rough.
   if (repair.trade.rest > 0.7 * within) return {};
   // The errors of a run are known better than those of pilots, for which half is used.
-  constexpr double used = 1.5;
-  Factors factors = cheapest(repair.trade, used * within);
+  constexpr double used = 0.75;
+  Factors factors = cheapest(repair.trade, used * within, used * within / 4);
   factors.mesh = std::clamp(factors.mesh, 0.5, 1.0);
   factors.time = std::clamp(factors.time, 0.01, 1.0);
   if (factors.mesh == 1 && factors.time == 1 && repair.phases.empty()) return {};

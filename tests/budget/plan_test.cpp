@@ -55,6 +55,22 @@ TEST(Trade, LeavesWhatIsGiven) {
   EXPECT_GT(budget::cheapest(given, 1e-4).time, 1e-3);
 }
 
+// An error of the user's settings as large as what is asked for, or nearly, calls for no mesh
+// without bounds; and who asks for less pays no less.
+TEST(Trade, PaysNoExtremesForWhatCannotBeChanged) {
+  Trade given = trade;
+  given.rest = 0.008;
+  const auto mesh = [](double error) { return budget::cheapest(trade, error).mesh; };
+  double before = 0;
+  for (const double within : {0.04, 0.02, 0.01, 0.005, 0.0025}) {
+    const budget::Factors best = budget::cheapest(given, within);
+    EXPECT_GE(best.mesh, mesh(within / 2)) << within;
+    const double cost = budget::predicted(given, best).cpu_seconds;
+    EXPECT_GE(cost, before);
+    before = cost;
+  }
+}
+
 /// A pin of height 10 mm that wears by 0.2 mm, without mesh and tolerance.
 Scene scene(const Overrides& overrides) {
   return checked_scene_of_text(test::pin_text(300), "pin.toml", overrides);
