@@ -30,8 +30,7 @@ Pilots::Pilots(const Scene& asked, Budget& budget, const BudgetHooks& hooks,
     }
 }
 
-Scene Pilots::with(Factors factors) const {
-  Scene other = scene;
+Scene Pilots::with(Factors factors, Scene other) const {
   if (mesh && factors.mesh != 1)
     other = mesh->controls->scaled(other, factors.mesh).value_or(other);
   if (time && factors.time != 1)

@@ -19,7 +19,8 @@ public:
   Scene scene;                        ///< with the models that have been chosen
   std::optional<Key> mesh{}, time{};  ///< by which its elements and steps are scaled
 
-  Scene with(Factors factors) const;
+  Scene with(Factors factors) const { return with(factors, scene); }
+  Scene with(Factors factors, Scene other) const;
   /// Whether there is a mesh of elements `factor` times as large.
   bool scales(double factor) const;
 

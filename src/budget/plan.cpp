@@ -6,6 +6,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/budget/plan.hpp>
 
+#include "budget/choices.hpp"
 #include "budget/extrapolation.hpp"
 #include "budget/pilots.hpp"
 #include "budget/trade.hpp"
@@ -35,8 +36,10 @@ public:
     if (!attempt("mesh", [&] { measure_mesh(); })) trade_.free_mesh = false;
     if (!attempt("time", [&] { measure_time(); })) trade_.free_time = false;
     if (!fewer_phases) attempt("phases", [&] { measure_phases(); });
-    Plan plan{
-        .scene = pilots_.with(cheapest(trade_, within_)), .lines = {}, .known = {}, .remarks = {}};
+    Plan plan{.scene = settings_for(choice_for(within_), within_),
+              .lines = {},
+              .known = {},
+              .remarks = {}};
     for (const double part : {2.0, 1.0, 0.5, 0.25}) plan.lines.push_back(line_for(part * within_));
     plan.pilot_seconds = budget_.companion_seconds;
     plan.known = std::move(known_);
@@ -76,7 +79,7 @@ private:
     failure_of([&] {
       Trial trial = pilots_.run(fewer, how);
       const std::vector<double> errors = differences(coarse_->goals, trial.goals);
-      is_enough = is_small(errors, little);
+      is_enough = largest_inside(errors) <= little * within_;
       if (!is_enough) return;
       add_known({.source = ErrorSource::phases, .key = key.name, .how = how, .errors = errors});
       coarse_ = std::move(trial);
@@ -96,11 +99,17 @@ private:
       pilots_.scene = *other;
       Trial trial = pilots_.run(pilot_, how);
       std::vector<double> errors = differences(coarse_->goals, trial.goals);
-      bool goes_on = !given && is_small(errors, small_part);
+      bool goes_on = !given && largest_inside(errors) <= small_part * within_;
       if (!given && !goes_on && pilot_.mesh > 1 && pilots_.scales(pilot_.mesh / 2)) {
         errors = differences_on_finer(own, *other, how);
-        goes_on = is_small(errors, small_part);
+        goes_on = largest_inside(errors) <= small_part * within_;
       }
+      if (!given)
+        choices_.models.push_back({.key = key,
+                                   .error = largest_inside(errors),
+                                   .rest = largest(errors, places_),
+                                   .saved = coarse_->cpu_seconds / trial.cpu_seconds,
+                                   .is_taken = goes_on});
       if (goes_on || given)
         add_known({.source = ErrorSource::model, .key = key.name, .how = how, .errors = errors});
       if (goes_on)
@@ -111,9 +120,8 @@ private:
     if (failure) pilots_.scene = own;  // the model does not suit the scene
   }
 
-  /// At most a part of what may be.
-  bool is_small(const std::vector<double>& errors, double part) const {
-    return largest(errors, without_ends(places_, coarse_->goals.values)) <= part * within_;
+  double largest_inside(const std::vector<double>& errors) const {
+    return largest(errors, without_ends(places_, coarse_->goals.values));
   }
 
   /// Between two models, where the nodes that touch are twice as many: on few of them one that
@@ -222,40 +230,37 @@ private:
       const auto scene = key.controls->scaled(pilots_.with(pilot_), finer.factor);
       if (!scene) continue;
       const Trial trial = pilots_.run(*scene, "a pilot with more phases");
-      double error = largest(differences(coarse_->goals, trial.goals),
-                             without_ends(places_, coarse_->goals.values)) *
-                     finer.part_of_coarser;
-      if (asked_.is_set(key.name))
+      const double error =
+          largest_inside(differences(coarse_->goals, trial.goals)) * finer.part_of_coarser;
+      if (asked_.is_set(key.name)) {
         remarks_.push_back(
             fmt::format("{} is given: its error is {:.2g} %", key.name, 100 * error));
-      else
-        error *= choose_phases(key, error);
-      trade_.rest += error;
+        trade_.rest += error;
+      } else {
+        choices_.phases = {key, error};
+      }
     }
   }
 
-  /// Returns the part of the error that is left. It falls with the square of the number of phases
-  /// (cylinder on flat, 8 to 64 phases: 13, 4, 0.65, 0.23 %).
-  double choose_phases(const Key& key, double error) {
-    constexpr double least = 1.0 / 16;
-    double factor = 1;
-    while (factor > least && factor * factor * error > small_part * within_) factor /= 2;
-    pilots_.scene = key.controls->scaled(pilots_.scene, factor).value_or(pilots_.scene);
-    trade_.seconds /= factor;
-    return factor * factor;
+  Choice choice_for(double within) const {
+    return choices_.for_error(within, {pilots_.scene, trade_});
+  }
+
+  Scene settings_for(const Choice& choice, double within) const {
+    return pilots_.with(cheapest(choice.trade, within), choice.scene);
   }
 
   PlanLine line_for(double within) const {
-    const Factors factors = cheapest(trade_, within);
-    PlanLine line = predicted(trade_, factors);
+    const Choice choice = choice_for(within);
+    PlanLine line = predicted(choice.trade, cheapest(choice.trade, within));
     line.within = within;
-    line.settings = change_text(asked_.without("accuracy.of"), pilots_.with(factors));
+    line.settings = change_text(asked_.without("accuracy.of"), settings_for(choice, within));
     return line;
   }
 
   /// What it costs that the scene gives settings.
   void remark_on_given(Plan& plan) const {
-    Trade all = trade_;
+    Trade all = choice_for(within_).trade;
     all.free_mesh = trade_.mesh > 0;
     all.free_time = pilots_.time.has_value();
     const double seconds = predicted(all, cheapest(all, within_)).cpu_seconds;
@@ -270,7 +275,6 @@ private:
           seconds));
   }
 
-  static constexpr double small_part = 0.25;    ///< of what may be, of models and phases
   static constexpr double time_of_pilots = 10;  ///< times the default of the tolerance
 
   const Scene& asked_;
@@ -283,17 +287,10 @@ private:
   std::vector<std::size_t> places_;
   Trade trade_;
   std::vector<BudgetPart> known_;
+  Choices choices_;
 };
 
 }  // namespace
-
-Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, BudgetHooks hooks) {
-  hooks.sources = {ErrorSource::mesh, ErrorSource::time, ErrorSource::phases};
-  for (const BudgetPart& part : plan.known) std::erase(hooks.sources, part.source);
-  Budget budget = find_budget(scene, goals, hooks);
-  budget.parts.insert(budget.parts.end(), plan.known.begin(), plan.known.end());
-  return budget;
-}
 
 Plan plan_of(const Scene& scene, const BudgetHooks& hooks) {
   return Planner(scene, hooks)();

@@ -133,6 +133,14 @@ Repair repair_of(const Plan& plan, const Scene& asked, const Budget& shown) {
 
 }  // namespace
 
+Budget find_budget(const Plan& plan, const Scene& scene, const Goals& goals, BudgetHooks hooks) {
+  hooks.sources = {ErrorSource::mesh, ErrorSource::time, ErrorSource::phases};
+  for (const BudgetPart& part : plan.known) std::erase(hooks.sources, part.source);
+  Budget budget = find_budget(scene, goals, hooks);
+  budget.parts.insert(budget.parts.end(), plan.known.begin(), plan.known.end());
+  return budget;
+}
+
 double wanted_error(const Scene& scene, const Budget& budget) {
   double error = 0;
   for (const std::size_t i : wanted_places(scene, budget.values))

@@ -5,6 +5,7 @@
 #include <gnomon/budget/plan.hpp>
 #include <gnomon/run/setup.hpp>
 
+#include "budget/choices.hpp"
 #include "budget/trade.hpp"
 #include "budget/trial.hpp"
 #include "part/part_scene.hpp"
@@ -15,6 +16,7 @@ namespace gnomon::plan_test {
 namespace {
 
 using namespace testing;
+using budget::Choices;
 using budget::Trade;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -74,6 +76,25 @@ TEST(Trade, PaysNoExtremesForWhatCannotBeChanged) {
 /// A pin of height 10 mm that wears by 0.2 mm, without mesh and tolerance.
 Scene scene(const Overrides& overrides) {
   return checked_scene_of_text(test::pin_text(300), "pin.toml", overrides);
+}
+
+// The models are chosen for the error of each row, as if that were asked for.
+TEST(Choices, AreThoseOfEveryAskedError) {
+  Choices choices;
+  const Scene own = scene({"body.material=neo-hookean"});
+  for (const Key& key : own.controlling_keys())
+    if (key.name == "body.material")
+      choices.models.push_back(
+          {.key = key, .error = 0.01, .rest = 0.02, .saved = 3, .is_taken = true});
+  ASSERT_EQ(choices.models.size(), 1u);
+  const budget::Choice pilots{own.with("body.material", std::string("linear")),
+                              {.rest = 0.021, .seconds = 1}};
+  const auto large = choices.for_error(0.05, pilots), small = choices.for_error(0.03, pilots);
+  EXPECT_EQ(large.scene.text("body.material"), "linear");
+  EXPECT_EQ(large.trade.rest, 0.021);
+  EXPECT_EQ(small.scene.text("body.material"), "neo-hookean");
+  EXPECT_NEAR(small.trade.rest, 0.001, 1e-12);
+  EXPECT_EQ(small.trade.seconds, 3);
 }
 
 Plan plan(const Overrides& overrides) {
