@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/budget/budget.hpp>
 #include <gnomon/checks/checks.hpp>
@@ -12,6 +13,7 @@
 #include "app/program.hpp"
 #include "app/progress.hpp"
 #include "app/text_table.hpp"
+#include "budget/trial.hpp"
 #include "linear/blas.hpp"
 
 namespace gnomon::app {
@@ -81,12 +83,16 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
                      bool quiet, const Resumption* from, const Plan* plan) {
   Progress progress(quiet, settings.end);
   long iterations = 0;
+  const double begin = cpu_seconds();
   const auto judge = [&](const Model& model, const State& state, const Observation& observed) {
     if (!setup.scene.flag("output.budget") && !plan) return EndJudgement();
     const std::optional<Goals> goals = goals_of(model, state, observed);
     if (!goals) return EndJudgement();
     progress.say("estimating the errors");
-    const BudgetHooks hooks{.interrupted = InterruptGuard::interrupted};
+    BudgetHooks hooks{.interrupted = InterruptGuard::interrupted};
+    // Twice and more what its companions take by their work, where factors do not fill in.
+    constexpr double always = 5, part_of_run = 0.5;
+    if (!plan) hooks.seconds = std::max(always, part_of_run * (cpu_seconds() - begin));
     const double work = static_cast<double>(iterations) * goals->nonzeros;
     const Budget budget = plan ? find_budget(*plan, setup.scene, *goals, hooks)
                                : quick_budget(setup.scene, *goals, work, hooks);

@@ -16,7 +16,8 @@ public:
   explicit Stopwatch(double& seconds) : seconds_(seconds) {}
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { seconds_ += cpu_seconds() - begin_; }
+  ~Stopwatch() { seconds_ += seconds(); }
+  double seconds() const { return cpu_seconds() - begin_; }
 
 private:
   double& seconds_;
@@ -40,8 +41,10 @@ Trial Companions::run(const Scene& scene, const std::string& what, const Goals* 
   const double before = work_;
   const auto interrupted = [&](double work) {
     work_ = before + work;
-    return hooks_.interrupted() || work_ > hooks_.limit;
+    return hooks_.interrupted() || work_ > hooks_.limit ||
+           budget_.companion_seconds + stopwatch.seconds() > hooks_.seconds;
   };
+  if (interrupted(0)) throw Interrupted("interrupted");
   return try_scene(scene, interrupted, unlike, hooks_.limit - before);
 }
 

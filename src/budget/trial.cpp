@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <gnomon/newton/interruption.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
 
@@ -41,7 +42,7 @@ std::optional<std::string> failure_of(const std::function<void()>& attempt) try 
 }
 
 Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupted,
-                const Goals* unlike, double most_work) {
+                const Goals* unlike, double most_work) try {
   const double begin = cpu_seconds();
   const Setup setup = set_up(scene);
   if (unlike && nodes_of(*setup.model) == unlike->nodes)
@@ -55,11 +56,13 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
   };
   constexpr double no_limit = 1e15;
   double work = 0;
+  const std::function<bool()> asked = [&] { return interrupted(work); };
+  const Interruptible start(asked);  // each step has a question of its own
   const RunOutcome outcome =
       run(*setup.model, chosen_integrator(setup.scene),
           integrator_settings(setup.scene, *setup.model), policy, nullptr,
           {.on_step = [&](const HistoryRow& row) { work = work_of(row.counters); },
-           .interrupted = [&] { return interrupted(work); },
+           .interrupted = asked,
            .most_newton_iterations = static_cast<long>(std::min(most_work / nonzeros, no_limit))});
   if (outcome.status == RunOutcome::Status::failed) {
     if (interrupted(work_of(outcome.counters))) throw Interrupted("interrupted");
@@ -76,6 +79,8 @@ Trial try_scene(const Scene& scene, const std::function<bool(double)>& interrupt
           .goals = std::move(*goals),
           .cpu_seconds = cpu_seconds() - begin,
           .work = work};
+} catch (const Interruption& interruption) {
+  throw Interrupted(interruption.what());
 }
 
 long touching_nodes(const Goals& goals) {

@@ -40,9 +40,9 @@ struct Trial {
 
 /// Makes the model of a scene and integrates it, nothing is stored. Throws InputError where the
 /// scene has no worn surface, SolutionError where the run fails, and Interrupted.
-/// `interrupted` is asked after each step, with the work until then. More than `most_work` fails.
-/// `unlike`: a mesh with as many nodes as that of this run is refused before the run, by
-/// MeshUnchanged.
+/// `interrupted` is asked after each step and within start and steps, with the work until then.
+/// More than `most_work` fails. `unlike`: a mesh with as many nodes as that of this run is refused
+/// before the run, by MeshUnchanged.
 Trial try_scene(const Scene& scene, const std::function<bool(double work)>& interrupted,
                 const Goals* unlike = nullptr,
                 double most_work = std::numeric_limits<double>::infinity());

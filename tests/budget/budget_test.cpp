@@ -211,9 +211,21 @@ TEST(QuickBudget, EndsWhereTheUserOrTheLimitDoes) {
   ASSERT_TRUE(goals);
   const Budget none = quick_budget(setup.scene, *goals, 0, {.interrupted = [] { return true; }});
   EXPECT_TRUE(none.parts.empty());
-  const Budget limited = quick_budget(setup.scene, *goals, 0, {.limit = 0});
-  ASSERT_FALSE(limited.parts.empty());
-  for (const BudgetPart& part : limited.parts) EXPECT_FALSE(part.unknown.empty());
+  for (const BudgetHooks& hooks : {BudgetHooks{.limit = 0}, BudgetHooks{.seconds = 0}}) {
+    const Budget limited = quick_budget(setup.scene, *goals, 0, hooks);
+    ASSERT_FALSE(limited.parts.empty());
+    for (const BudgetPart& part : limited.parts) EXPECT_FALSE(part.unknown.empty());
+  }
+}
+
+// One more solve than the first is refused: it is that of the start which asks before it fails.
+TEST(Trial, AsksWithinItsStart) {
+  const Scene scene = checked_scene(shipped("pin_on_flat/small_deformation.toml"),
+                                    {"mesh.elements=[8,8]", "integrator.rtol=1e-2"});
+  int asked = 0;
+  const auto count = [&](double) { return ++asked < 0; };
+  EXPECT_THROW(budget::try_scene(scene, count, nullptr, 0), SolutionError);
+  EXPECT_GT(asked, 4);
 }
 
 /// Nodes that come into contact make the largest part of it, which depends on the mesh.

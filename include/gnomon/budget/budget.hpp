@@ -91,6 +91,8 @@ struct BudgetHooks {
   std::function<bool()> interrupted = [] { return false; };
   /// Newton iterations times nonzeros of all companions after which the rest is not known.
   double limit = std::numeric_limits<double>::infinity();
+  /// The same of their CPU time [s], which counts that factors fill in.
+  double seconds = std::numeric_limits<double>::infinity();
   /// The parts to find.
   std::vector<ErrorSource> sources = {ErrorSource::time, ErrorSource::mesh, ErrorSource::model,
                                       ErrorSource::phases, ErrorSource::solves};
