@@ -150,8 +150,8 @@ std::vector<std::string> doubts(const Examination& facts) {
   if (facts.overlap > inside * facts.size)
     found.push_back(fmt::format(
         "the counter-body lies {:.3g} mm inside the unloaded bodies and cannot give way: they are "
-        "pressed by as much",
-        facts.overlap));
+        "pressed by {:.3g} mm",
+        facts.overlap, facts.pressed));
   if (facts.wedging > wedged)
     found.push_back(
         fmt::format("contact forces add up to {:.3g} times the force on the counter-body: it is "

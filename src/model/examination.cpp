@@ -77,12 +77,12 @@ std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
 
 /// Of a counter-body that no force moves, and of bodies that no load does.
 template <int dim>
-double find_overlap(const WornBodyEquations<dim>& equations) {
+double find_overlap(const WornBodyEquations<dim>& equations, double part) {
   const Assembly<dim>& assembly = equations.assembly();
   double deepest = 0;
   for (const Phase<dim>& phase : equations.phases()) {
     if (phase.moves_freely() || !assembly.loads.empty()) return 0;
-    deepest = std::max(deepest, overlap_at_rest(assembly.contact_nodes, phase.counter_body));
+    deepest = std::max(deepest, overlap_at_rest(assembly.contact_nodes, phase.counter_body, part));
   }
   return deepest;
 }
@@ -209,7 +209,8 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (state.t > 0) facts.edge = edge_pressure(assembly(), contacts);
   if (state.t > 0) facts.gap_error = gap_error(state, values, contacts);
   if (assembly().pairs.empty()) {
-    facts.overlap = find_overlap(equations_);
+    facts.overlap = find_overlap(equations_, 0);
+    facts.pressed = find_overlap(equations_, 1);
     facts.unworn_force = find_unworn_force(assembly(), contacts);
   }
   if (assembly().loads.empty()) facts.wedging = find_wedging(equations_.phases(), contacts);

@@ -128,15 +128,15 @@ double given_overlap(const AssemblyParts<dim>& parts) {
     }
     return most;
   }
-  return std::max(most, overlap_at_rest(contact_nodes_of(parts), parts.interface.partner));
+  return most;
 }
 
 }  // namespace
 
 template <int dim>
-double overlap_at_rest(const std::vector<ContactPatch<dim>>& nodes, const CounterBody<dim>& other) {
-  PartnerMotion<> q = other.given(0, 0);
-  q.setZero();
+double overlap_at_rest(const std::vector<ContactPatch<dim>>& nodes, const CounterBody<dim>& other,
+                       double part) {
+  const PartnerMotion<> q = part * other.given(0, 0);
   double deepest = 0;
   for (const ContactPatch<dim>& patch : nodes)
     deepest = std::max(deepest, -other.unchecked_distance(patch.initial_position, q, 0).gap);
@@ -169,8 +169,8 @@ Pressing pressing_of(const AssemblyParts<dim>& parts, double duration) {
   return press;
 }
 
-template double overlap_at_rest(const std::vector<ContactPatch<2>>&, const CounterBody<2>&);
-template double overlap_at_rest(const std::vector<ContactPatch<3>>&, const CounterBody<3>&);
+template double overlap_at_rest(const std::vector<ContactPatch<2>>&, const CounterBody<2>&, double);
+template double overlap_at_rest(const std::vector<ContactPatch<3>>&, const CounterBody<3>&, double);
 template Pressing pressing_of(const AssemblyParts<2>&, double);
 template Pressing pressing_of(const AssemblyParts<3>&, double);
 

@@ -88,6 +88,7 @@ struct Examination {
   /// How deep the unloaded bodies lie in a counter-body that cannot give way, before it approaches
   /// [length].
   double overlap = 0;
+  double pressed = 0;  ///< the same when it has approached, as at t = 0
   /// Contact forces, added up without regard to their directions, by what presses a free
   /// counter-body; 0 where none is free, one turns, or loads press on the bodies.
   double wedging = 0;

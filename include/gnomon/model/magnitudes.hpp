@@ -6,9 +6,11 @@
 
 namespace gnomon {
 
-/// How deep the nodes of unloaded bodies lie in a counter-body that has not moved [length].
+/// How deep the nodes of unloaded bodies lie in a counter-body that has made this part of its given
+/// approach at t = 0 [length].
 template <int dim>
-double overlap_at_rest(const std::vector<ContactPatch<dim>>& nodes, const CounterBody<dim>& other);
+double overlap_at_rest(const std::vector<ContactPatch<dim>>& nodes, const CounterBody<dim>& other,
+                       double part = 0);
 
 /// What brings the bodies together: a force, or where springs press more, or without one, a
 /// displacement.
