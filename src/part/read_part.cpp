@@ -67,7 +67,7 @@ Magnitudes find_magnitudes(const Scene& scene, const AssemblyParts<dim>& parts) 
         "against the {}, or a [[support]] with value{}",
         scene.path().string(), parts.pairs.empty() ? "counter_body.press.force or .approach, " : "",
         parts.pairs.empty() ? "counter-body" : "other body",
-        parts.cycle && !parts.pairs.empty() ? ", or phases in which bodies overlap" : ""));
+        parts.cycle ? ", or phases in which bodies overlap" : ""));
   return magnitudes_of(parts, duration);
 } catch (const RecoverableError& error) {
   throw unsound_law(scene, error);

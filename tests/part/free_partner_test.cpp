@@ -106,6 +106,31 @@ TEST_F(FreePartner, AnInterferenceFitNeedsNoPress) {
   EXPECT_NEAR(force, 2 * M_PI * a * pressure, 0.01 * force);
 }
 
+// A circle about the bore, larger than its clearance: each phase is the state of a shaft that is as
+// far off, and each quarter of the bore is the same.
+TEST_F(FreePartner, AShaftInOrbitNeedsNoPress) {
+  const Overrides smooth = {"friction.coefficient=0.0"};
+  const double part = 0.07 * std::sqrt(0.5);
+  const auto off = journal("", {smooth[0], fmt::format("counter_body.center=[{0},{0}]", part)});
+  const double force = observed(*off, start_of(*off), "contact_force");
+  EXPECT_GT(force, 10);
+  const std::string orbit =
+      "\n[cycle]\nperiod = 1.0\nphases = 4\nx = \"0.07*cos(2*pi*tau+pi/4)\"\n"
+      "y = \"0.07*sin(2*pi*tau+pi/4)\"\n";
+  for (const std::string& press :
+       {std::string(), entry("direction = [1.0, 0.0]\napproach = 0.0")}) {
+    const auto moved = journal(press, smooth, orbit);
+    EXPECT_NEAR(observed(*moved, start_of(*moved), "contact_force"), force, 1e-5 * force);
+  }
+}
+
+TEST_F(FreePartner, AnOrbitWithinItsClearanceIsRefused) {
+  const std::string text =
+      this->text("", "\n[cycle]\nperiod = 1.0\nphases = 4\nx = \"0.04*cos(2*pi*tau)\"\n");
+  EXPECT_THAT(PartScenes::refusal(text, {"friction.coefficient=0.0"}),
+              HasSubstr("or phases in which bodies overlap"));
+}
+
 TEST_F(FreePartner, AWornBoreLosesWhatWearsAndBalances) {
   const auto free = journal(down + aside);
   const ModelRun run = run_model(*free, "esdirk-3", 0, 1e-3, 1000);
