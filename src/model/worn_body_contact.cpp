@@ -1,6 +1,7 @@
 // Contact in the equations: the terms of pairs and of a rigid partner, sliding, on a path, rolling.
 #include <algorithm>
 #include <cmath>
+#include <gnomon/model/magnitudes.hpp>
 #include <gnomon/model/worn_body_equations.hpp>
 #include <gnomon/terms/contact_term.hpp>
 #include <gnomon/terms/stick_term.hpp>
@@ -34,6 +35,8 @@ ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& pha
                           .part = phase.weight,
                           .nominal_speed = nominal_speed};
   for (const Surface<dim>& surface : contact.surfaces) state.laws.push_back(surface.wear);
+  if (body.loads.empty() && !phase.moves_freely() && !phase.counter_body.is_given())
+    state.interference = overlap_at_rest(body.contact_nodes, phase.counter_body);
   return state;
 }
 

@@ -154,6 +154,7 @@ StickInput<dim, Scalar> StickTerm<dim>::gather(const Evaluation<dim>& at, int c)
   input.lambda_before = variable(at.values.scalar(state_.lambda_before)[c]);
   input.contact.X = variable(X);
   input.contact.moment = {.time = at.t, .slid = contact.nominal_speed * at.t, .within = at.within};
+  input.contact.clearance = contact.clearance(at);
   input.carried = state_.carried.row(c).transpose();
   input.interval = state_.interval[c];
   input.rubs = !parts.empty();

@@ -47,6 +47,7 @@ struct ContactInput {
   Scalar lambda;              ///< of the node itself [stress]
   PartnerMotion<Scalar> q{};  ///< of the partner
   WearMoment moment = {};     ///< read by the wear law, and by a counter-body that turns
+  double clearance = 0;       ///< in a load ramp, a part of the gap [length]
 };
 
 /// The smooth branch of a contact node.
@@ -211,7 +212,7 @@ ContactKinematics<dim, Scalar>::ContactKinematics(const ContactParameters<dim>& 
       z(partner_variables<dim, Scalar>(x.row(0).transpose(), at.q)),
       partner(parameters.counter_body.meet(plain(Vector<dim, Scalar>(x.row(0).transpose())),
                                            plain(at.q), at.moment.time)),
-      gap(lift(partner.gap, partner.gap_by, z)),
+      gap(lift(partner.gap, partner.gap_by, z) + Scalar(at.clearance)),
       normal(lift(partner.normal, partner.normal_by, z)),
       relative(streaming_velocity<dim, Scalar>(patch, at.X, x, parameters.streaming) -
                lift(partner.velocity, partner.velocity_by, z)),

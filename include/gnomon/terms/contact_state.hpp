@@ -25,6 +25,13 @@ struct ContactState {
   std::vector<WearLaw> laws{};         ///< of the surfaces
   double part = 1;                     ///< of the mean over a cycle: the weight of its phase
   double nominal_speed = 0;            ///< at which the bodies slide [length / time]
+  /// Of bodies that nothing else presses: how deep they lie in the partner at rest [length].
+  double interference = 0;
+
+  /// A load ramp begins where they touch.
+  double clearance(const Evaluation<dim>& at) const {
+    return (1 - at.load_fraction) * interference;
+  }
 };
 
 /// The motion q of the partner of a contact state: its unknown and its given part. In a load ramp

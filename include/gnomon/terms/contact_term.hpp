@@ -127,7 +127,8 @@ private:
         PatchNodal<dim>(size, dim),
         at.values.scalar(state_.lambda)[c],
         motion_.at(at, state_.q),
-        {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within}};
+        {.time = at.t, .slid = state_.nominal_speed * at.t, .within = at.within},
+        state_.clearance(at)};
     for (Eigen::Index p = 0; p < size; ++p) {
       const int node = patch.nodes[p];
       input.X.row(p) = state_.mesh.nodes[node].transpose() + d.row(node);
