@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/integrators/dense_output.hpp>
 #include <gnomon/integrators/diagonally_implicit.hpp>
 #include <gnomon/integrators/error_norm.hpp>
@@ -11,7 +12,9 @@
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <utility>
 
-#include "integrators/erk_stages.hpp"
+#include "integrators/erk_table.hpp"
+#include "integrators/evaluated_stages.hpp"
+#include "integrators/stability_limit.hpp"
 #include "sundials/room.hpp"
 
 namespace gnomon {
@@ -19,15 +22,6 @@ namespace gnomon {
 using namespace sundials;
 
 namespace {
-
-/// The PI controller that chooses the steps: with every version of SUNDIALS, the default parameters
-/// of ERKStep 6.4.
-constexpr PiController pi_controller{.proportional = 0.8,
-                                     .integral = 0.31,
-                                     .bias = 1.2,
-                                     .safety = 0.99,
-                                     .keep_from = 1.0,
-                                     .keep_to = 1.5};
 /// A number of failures in one step that is practically unlimited: a step is then a billionth of
 /// its first size.
 constexpr int most_failures = 30;
@@ -47,14 +41,16 @@ public:
         // Errors of contact problems enter times h, so that a part of the estimate is enough.
         expected_error_(settings, table_.embedded_order, table_.embedded_order),
         algebraic_(system, counters, settings.nonlinear_fraction),
+        stability_(table_),
+        evaluated_(table_),
         proposal_(settings.step),
-        stages_(table_),
         step_control_(pi_controller, context_),
         d_(make_vector(static_cast<long>(norm_.components().size()), context_)) {}
-  std::vector<double> memory() const override { return {proposal_}; }
+  std::vector<double> memory() const override { return {proposal_, stability_.memory()}; }
   void restore(const State&, std::span<const double> memory) override {
     if (memory.empty()) throw InputError("the checkpoint does not belong to this integrator");
     proposal_ = fixed() ? std::min(memory.front(), settings_.step) : memory.front();
+    if (memory.size() > 1) stability_.restore(memory[1]);
   }
   /// The size of the steps remains; the controller of ARKODE begins anew.
   bool follow(Stepper& before, const State& state, bool) override {
@@ -124,7 +120,7 @@ private:
       self.evaluate(t, view(d));
       self.gather(self.whole_.ydot, view(ddot));
       const double integrand = self.settings_.integrand ? self.integrand(self.whole_) : 0;
-      self.stages_.add({t, integrand, {view(ddot).begin(), view(ddot).end()}});
+      self.evaluated_.add({t, integrand, {view(ddot).begin(), view(ddot).end()}});
     });
   }
 
@@ -148,8 +144,7 @@ private:
     check(ARKodeSetMaxGrowth(erk, most_growth), "ARKodeSetMaxGrowth");
     check(ARKodeSetMaxErrTestFails(erk, most_failures), "ARKodeSetMaxErrTestFails");
     check(ARKodeSetMaxNumSteps(erk, -1), "ARKodeSetMaxNumSteps");
-    if (settings_.max_step > 0)
-      check(ARKodeSetMaxStep(erk, settings_.max_step), "ARKodeSetMaxStep");
+    limit_steps();
     if (fixed()) return;
     if (proposal_ > 0)  // not the first step, which may be far too small
       check(ARKodeSetMaxFirstGrowth(erk, most_growth), "ARKodeSetMaxFirstGrowth");
@@ -178,6 +173,10 @@ private:
 
   /// Makes whole_ the consistent state with differential components d, including its rates.
   void evaluate(double t, std::span<const double> d) {
+    whole_ = consistent(t, d);
+    dense_output_.add(t, whole_.y);
+  }
+  State consistent(double t, std::span<const double> d) {
     State next = whole_;
     next.t = t;
     if (t != whole_.t) dense_output_.evaluate(t, next.y);
@@ -200,10 +199,9 @@ private:
       // Of what is remembered a small part of its change in the step is missing (slip_memory.hpp),
       // which is of first order; the second time, of that part.
       if (!remembered_.empty()) solve();
-      dense_output_.add(t, next.y);
     }
     set_rates(system_, nullptr, next, from_);
-    whole_ = std::move(next);
+    return next;
   }
 
   void gather(const std::vector<double>& y, std::span<double> d) const {
@@ -222,16 +220,45 @@ private:
   }
 
   /// The integral over the step, and what it leaves for the next if its size is fixed: its error.
+  /// Both by the weights of the table.
   double sum_up(const State& start, double h) {
-    if (!settings_.integrand && !fixed()) return 0;
     // Stages of so short a step differ by rounding; its error is nothing.
     if (!settings_.integrand && h <= 1e-9 * settings_.step) return 0;
-    ErkStage first{start.t, settings_.integrand ? integrand(start) : 0, {}};
-    first.rates.resize(norm_.components().size());
-    gather(start.ydot, first.rates);
-    const ErkStages::Sums sums = stages_.sums(first, h);
-    expected_error_.learn(h, norm_(sums.error, whole_.y));
-    return sums.integral;
+    const std::size_t second = evaluated_.second_stage(start.t, h);
+    double integral = settings_.integrand ? table_.b[0] * integrand(start) : 0;
+    std::vector<double> error(norm_.components().size());
+    gather(start.ydot, error);
+    for (double& e : error) e *= h * (table_.b[0] - table_.b_embedded[0]);
+    for (int i = 1; i < table_.stages(); ++i) {
+      const Evaluated& stage = evaluated_[second + static_cast<std::size_t>(i) - 1];
+      integral += table_.b[i] * stage.integrand;
+      for (std::size_t k = 0; k < error.size(); ++k)
+        error[k] += h * (table_.b[i] - table_.b_embedded[i]) * stage.rates[k];
+    }
+    expected_error_.learn(h, norm_(error, whole_.y));
+    if (!fixed()) keep_stable(error);
+    return h * integral;
+  }
+
+  /// Where the fastest mode limits the steps, the embedded solution differs along it.
+  void keep_stable(std::span<const double> error) {
+    constexpr double least = 0.01;  // of the tolerated error
+    const double size = norm_(error, whole_.y);
+    if (size > least) try {
+        std::vector<double> d(error.size());
+        gather(whole_.y, d);
+        for (std::size_t k = 0; k < d.size(); ++k) d[k] -= error[k];
+        const State embedded = consistent(whole_.t, d);
+        if (jumps_between(system_, whole_, embedded, false).functions.empty())
+          stability_.learn(norm_.distance(embedded.ydot, whole_.ydot, whole_.y) / size);
+      } catch (const RecoverableError&) {
+      }
+    limit_steps();
+  }
+  void limit_steps() {
+    double longest = stability_.longest_step();
+    if (settings_.max_step > 0) longest = std::min(longest, settings_.max_step);
+    if (std::isfinite(longest)) check(ARKodeSetMaxStep(erk_.get(), longest), "ARKodeSetMaxStep");
   }
 
   const System& system_;
@@ -241,6 +268,8 @@ private:
   ErrorNorm norm_;
   ExpectedError expected_error_;
   AlgebraicSolver algebraic_;
+  StabilityLimit stability_;
+  EvaluatedStages evaluated_;
   State whole_;                     // consistent state of the last evaluation
   DenseOutput dense_output_;        // through evaluations, gives the guess for the next
   std::vector<double> remembered_;  // Structure::remembered at the start of the step
@@ -248,7 +277,6 @@ private:
   double proposal_;                 // size of the next attempt; 0 before the first adaptive step
   double step_ = 0;                 // size of this attempt, or more
   long rejected_ = 0;
-  ErkStages stages_;
   Guard guard_;
   // Destroyed in reverse: ERKStep before what it refers to, the context last.
   Context context_;
