@@ -68,7 +68,7 @@ private:
         .step = reached.t - state.t, .order = ida_->order(), .integral = ida_->take_integral()};
     const bool event = branch() && cross_event(reached, at_root, report);
     const bool breaks = is_breakpoint(structure, reached.t);
-    if (breaks && pass_breakpoint(system_, counters_, branch(), reached) && branch())
+    if (breaks && pass_breakpoint(system_, settings_, counters_, branch(), reached) && branch())
       ida_->locate(reached);
     if (event || breaks) ida_->restart(reached);
     if (branch()) reached.branch = *branch();

@@ -63,13 +63,13 @@ private:
 
   StepReport take_step(State& state, double t_stop) override {
     from_ = state.t;
-    remembered_.clear();
-    for (const int i : system_.structure().remembered) remembered_.push_back(state.y[i]);
     if (!erk_)
       begin(state);
     else if (is_breakpoint(system_.structure(), state.t) &&
-             pass_breakpoint(system_, counters_, nullptr, state))
+             pass_breakpoint(system_, settings_, counters_, nullptr, state))
       restart(state, proposal_);  // ERKStep has kept the rate before the jump
+    remembered_.clear();
+    for (const int i : system_.structure().remembered) remembered_.push_back(state.y[i]);
     void* erk = erk_.get();
     t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
     if (!fixed()) t_stop = end_at_stop(system_.structure(), state.t, t_stop);

@@ -132,17 +132,34 @@ JumpError error_of_jumps(const System& system, const ErrorNorm& norm, const Stat
   return estimate;
 }
 
-bool pass_breakpoint(const System& system, Counters& counters, const ActiveSet* branch,
-                     State& state) {
-  if (!loads_jump(system, state)) return set_rates_behind_jump(system, branch, state);
+namespace {
+
+State state_behind_jump(const System& system, const IntegratorSettings& settings,
+                        Counters& counters, const State& before) {
+  State state = before;
   state.branch.clear();
-  const std::string reason = AlgebraicSolver(system, counters).solve(state.t, state.y);
-  if (!reason.empty())
-    throw SolutionError(
-        fmt::format("loads, friction or wear law jump at t = {:.6g} s, and behind the jump there "
-                    "is no equilibrium: {}",
-                    state.t, reason));
-  set_rates(system, nullptr, state);
+  std::string reason = AlgebraicSolver(system, counters).solve(state.t, state.y);
+  if (reason.empty()) {
+    set_rates(system, nullptr, state);
+    return state;
+  }
+  if (settings.behind_jump) try {
+      return settings.behind_jump(before);
+    } catch (const SolutionError& error) {
+      reason = error.what();
+    }
+  throw SolutionError(
+      fmt::format("loads, friction or wear law jump at t = {:.6g} s, and behind the jump there "
+                  "is no equilibrium: {}",
+                  state.t, reason));
+}
+
+}  // namespace
+
+bool pass_breakpoint(const System& system, const IntegratorSettings& settings, Counters& counters,
+                     const ActiveSet* branch, State& state) {
+  if (!loads_jump(system, state)) return set_rates_behind_jump(system, branch, state);
+  state = state_behind_jump(system, settings, counters, state);
   return true;
 }
 

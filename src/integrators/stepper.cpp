@@ -191,7 +191,8 @@ void OneStepStepper::begin_behind_kink(State& state, const Landing& landing) {
   const ActiveSet* const own = located ? &branch : state.own_branch();
   if (!is_breakpoint(system_.structure(), state.t)) {
     set_rates_behind_jump(system_, own, state);
-  } else if (pass_breakpoint(system_, counters_, own, state) && locator_ && state.branch.empty()) {
+  } else if (pass_breakpoint(system_, settings_, counters_, own, state) && locator_ &&
+             state.branch.empty()) {
     locator_->begin(state);
   }
 }

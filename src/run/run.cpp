@@ -104,6 +104,7 @@ private:
   /// What looks at the steps of the model of this epoch.
   void watch_model() {
     settings_.integrand = model().wear_flux;
+    settings_.behind_jump = model().behind_jump;
     initial_quality_ = initial_quality(model().grid);
     jumps_.emplace(model().system(), settings_);
     if (settings_.stop_unstable && may_fail_to_damp(integrator_, settings_))

@@ -36,6 +36,8 @@ struct IntegratorSettings {
   /// unit]. Empty: nothing is integrated. It has a value wherever the residual has one; its
   /// exceptions pass through. It does not change the steps.
   std::function<double(const Point&)> integrand{};
+  /// Abilities::behind_jump, or none.
+  std::function<State(const State&)> behind_jump{};
   std::map<std::string, SceneValue> own{};  ///< what is given for Integrator::keys, by their names
   /// The value of one of these keys.
   SceneValue value(const Key& key) const {

@@ -38,9 +38,9 @@ JumpError error_of_jumps(const System& system, const ErrorNorm& norm, const Stat
                          const State& to, double h);
 
 /// Makes a state at a breakpoint that of later times: where loads jump there, its algebraic
-/// components are solved for again, on the branch that they lie in; where rates do, they are set.
-/// Returns whether something has changed. Throws SolutionError.
-bool pass_breakpoint(const System& system, Counters& counters, const ActiveSet* branch,
-                     State& state);
+/// components are solved for again, on the branch that they lie in, or by settings.behind_jump;
+/// where rates do, they are set. Returns whether something has changed. Throws SolutionError.
+bool pass_breakpoint(const System& system, const IntegratorSettings& settings, Counters& counters,
+                     const ActiveSet* branch, State& state);
 
 }  // namespace gnomon

@@ -140,6 +140,10 @@ struct Abilities {
   /// mean wear rate now or until now, whichever is larger; absent where nothing wears. Throws
   /// InputError or SolutionError where other phases have no deformation.
   std::function<std::optional<PhaseError>(const State&)> phase_error{};
+  /// Of a path, whose phases follow from each other: the consistent state with this worn shape and
+  /// time, found phase by phase as at the start, behind a jump that is too far for Newton's method.
+  /// Throws SolutionError.
+  std::function<State(const State&)> behind_jump{};
   /// Asked after every accepted step: the model that goes on from there instead of this one, a pure
   /// function of the state, so that a result can be read again from the states at which epochs
   /// began. Observations go on across it: worn volumes and depths are those since the start of the

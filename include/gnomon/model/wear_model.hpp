@@ -57,6 +57,7 @@ public:
 private:
   explicit WearModel(WornBodyEquations<dim> equations);
   std::optional<PhaseError> phase_error(const State& state) const;
+  State behind_jump(const State& state) const;
   Examination examine(const State& state) const;
   /// Of a state with these values and contacts, where wear is a gap (Examination::gap_error).
   std::optional<GapError> gap_error(const State& state, const FieldValues<dim>& values,
