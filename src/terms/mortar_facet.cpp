@@ -34,13 +34,10 @@ Square kept_corners(const Square& mass) {
     if (is_kept(a)) continue;
     const int next = (a + 1) % n, last = (a + n - 1) % n, opposite = (a + 2) % n;
     P(a, a) = 0;
-    if (!is_kept(next) && !is_kept(last)) {
-      P(opposite, a) = 1;
-    } else {
-      const double share = is_kept(next) && is_kept(last) ? 0.5 : 1;
-      for (const int to : {next, last})
-        if (is_kept(to)) P(to, a) = share;
-    }
+    if (is_kept(next) && is_kept(last))
+      P(next, a) += 0.5, P(last, a) += 0.5;  // in the plane both are one
+    else
+      P(is_kept(next) ? next : is_kept(last) ? last : opposite, a) = 1;
   }
   return P;
 }

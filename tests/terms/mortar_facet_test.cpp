@@ -39,6 +39,23 @@ TEST(MortarFacet, CornersThatAreHardlyCoveredAreAddedToTheirNeighbours) {
     }
 }
 
+TEST(MortarFacet, AreasOfAPlaneFacetAreThoseThatAreCovered) {
+  for (const double t : {1e-3, 0.05, 0.09, 0.2, 1.0}) {
+    FacetPair<2> pair;
+    pair.x << 0, 0, 1, 0;
+    pair.X = pair.x;
+    pair.n << 0, -1, 0, -1;
+    pair.y << 2, -0.01, 1 - t, -0.01;
+    const MortarFacet<2> facet(pair, {pair.y}, {0}, Section::plane, any_distance);
+    ASSERT_EQ(facet.masters.size(), 1) << t;
+    EXPECT_NEAR(facet.D.sum(), t, 1e-12);
+    EXPECT_NEAR(facet.masters.front().M.sum(), t, 1e-12);
+    EXPECT_NEAR(facet.masters.front().W.sum(), t, 1e-12);
+    EXPECT_NEAR(facet.gap.sum(), 0.01 * t, 1e-12);
+    EXPECT_EQ((facet.D.array() > 0).count(), t > 0.1 ? 2 : 1) << t;
+  }
+}
+
 /// In the order of the rows of MortarFacetTangent::by_input.
 template <int dim>
 Eigen::VectorXd values_of(const MortarFacet<dim>& facet) {
