@@ -73,6 +73,13 @@ void require_two_bodies(const Scene& scene, const std::string& pair) {
            "other");
 }
 
+/// Of two pairs of the same bodies, whose surfaces have one name in common at most.
+bool may_meet_twice(const std::set<std::string>& own, const std::set<std::string>& other) {
+  return own.empty() || other.empty() || std::ranges::count_if(own, [&](const std::string& name) {
+                                           return other.contains(name);
+                                         }) > 1;
+}
+
 /// Empty: any.
 std::set<std::string> surfaces_of(const Scene& scene, const std::string& pair) {
   const std::string key = pair + ".surfaces";
@@ -98,7 +105,7 @@ bool may_stick(const Scene& scene) {
 
 void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
   if (!has_pairs(scene)) return;
-  std::map<std::set<std::string>, std::set<std::set<std::string>>> seen;  // surfaces by bodies
+  std::map<std::set<std::string>, std::vector<std::set<std::string>>> seen;  // surfaces by bodies
   mistakes.collect([&] {
     if (scene.chosen_names("pair.#.bodies").empty())
       throw InputError(scene.path().string() +
@@ -109,11 +116,12 @@ void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
         require_two_bodies(scene, pair);
         const std::vector<std::string>& names = scene.texts(pair + ".bodies");
         if (names[0] == names[1]) return;  // several folds of one body
-        std::set<std::set<std::string>>& before = seen[{names[0], names[1]}];
         const std::set<std::string> own = surfaces_of(scene, pair);
-        if (!before.empty() && (own.empty() || before.contains(own) || before.contains({})))
-          refuse(scene, pair + ".bodies", "each pair of bodies once, or with surfaces of its own");
-        before.insert(own);
+        for (const std::set<std::string>& other : seen[{names[0], names[1]}])
+          if (may_meet_twice(own, other))
+            refuse(scene, pair + ".bodies",
+                   "each pair of bodies once, or with surfaces of its own");
+        seen[{names[0], names[1]}].push_back(own);
       });
   });
 }

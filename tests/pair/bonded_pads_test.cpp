@@ -103,11 +103,13 @@ TEST_F(BondedPads, MayBeOneBodyWithItsOwnFrictionOfEach) {
   const auto reactions = model->examine(model->start(counters)).reactions;
   ASSERT_FALSE(reactions.empty());
   EXPECT_NEAR(std::abs(reactions[0].force[0]), 0.01 * 40 + 0.03 * 30, 0.02);  // they tilt a little
-  std::string all = repeated, same = repeated;
+  std::string all = repeated, same = repeated, more = repeated;
   replace(all, R"(bodies = ["B", "disc"])", R"(bodies = ["disc", "A"])");
   replace(same, R"(bodies = ["B", "disc"])",
           "bodies = [\"disc\", \"A\"]\nsurfaces = [\"track\", \"left\"]");
-  for (const std::string& scene : {all, same})
+  replace(more, R"(bodies = ["B", "disc"])",
+          "bodies = [\"disc\", \"A\"]\nsurfaces = [\"track\", \"left\", \"right\"]");
+  for (const std::string& scene : {all, same, more})
     EXPECT_THAT(refusal(scene), ::testing::HasSubstr("each pair of bodies once"));
 }
 
