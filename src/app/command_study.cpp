@@ -15,6 +15,7 @@
 #include "app/progress.hpp"
 #include "app/run_end.hpp"
 #include "app/text_table.hpp"
+#include "mesh/shared_meshes.hpp"
 #include "study/run_files.hpp"
 #include "study/table.hpp"
 
@@ -170,6 +171,7 @@ void write_study(const Study& study, const std::filesystem::path& folder, bool q
 void study_command(const StudyCommandOptions& given) {
   if (given.study.empty())
     throw InputError("expected a study file, or plan, run or collect, see `gnomon help study`");
+  const SharedMeshes meshes;  // made where the study is read, so that no run has their cost
   const Study study = load_study(given.study);
   StudyOptions options = options_of_runs(given);
   options.folder = folder_of(study, given);
@@ -198,6 +200,7 @@ void study_plan_command(const StudyCommandOptions& given) {
 }
 
 void study_run_command(const StudyCommandOptions& given) {
+  const SharedMeshes meshes;
   const Study study = read_plan(given.folder);
   const std::vector<std::size_t> runs = study::runs_numbered(given.numbers, study.runs.size());
   const StudyOptions options = options_of_runs(given);

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
-#include <gnomon/base/error.hpp>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "mesh/mesh_stream.hpp"
 
@@ -16,14 +15,24 @@ namespace gnomon {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Names the folder, in the environment.
+constexpr const char* variable = "GNOMON_SHARED_MESHES";
+
+}  // namespace
+
 SharedMeshes::SharedMeshes() {
-  std::string name = (fs::temp_directory_path() / "gnomon-meshes-XXXXXX").string();
-  if (!mkdtemp(name.data()))
-    throw Error(fmt::format("cannot make a folder {}: {}", name, std::strerror(errno)));
+  std::error_code none;
+  std::string name = (fs::temp_directory_path(none) / "gnomon-meshes-XXXXXX").string();
+  if (std::getenv(variable) || none || !mkdtemp(name.data())) return;
   folder_ = name;
+  setenv(variable, name.c_str(), 1);
 }
 
 SharedMeshes::~SharedMeshes() {
+  if (folder_.empty()) return;
+  unsetenv(variable);
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
 }
@@ -51,6 +60,7 @@ std::optional<ImportedMesh> left_by_another(const fs::path& place, const std::st
 /// Others see all of it or nothing. A folder that is full or gone is no mistake.
 void leave(const fs::path& place, std::string key, ImportedMesh& mesh) {
   const fs::path unfinished = place.string() + fmt::format("-{}", getpid());
+  bool is_whole = false;
   {
     std::ofstream file(unfinished, std::ios::binary);
     const auto put = [&file](const void* bytes, std::size_t count) {
@@ -59,16 +69,18 @@ void leave(const fs::path& place, std::string key, ImportedMesh& mesh) {
     mesh_stream::Stream<false, decltype(put)> writer{put};
     writer(key);
     writer(mesh);
-    if (!file.flush()) return;
+    file.flush();
+    is_whole = file.good();
   }
-  std::error_code ignored;
-  fs::rename(unfinished, place, ignored);
+  std::error_code failed;
+  if (is_whole) fs::rename(unfinished, place, failed);
+  if (!is_whole || failed) fs::remove(unfinished, failed);
 }
 
 }  // namespace
 
 ImportedMesh shared_mesh(const std::string& key, const std::function<ImportedMesh()>& make) {
-  const char* folder = std::getenv(SharedMeshes::variable);
+  const char* folder = std::getenv(variable);
   if (!folder || !*folder) return make();
   const fs::path place = fs::path(folder) / fmt::format("{:016x}", std::hash<std::string>()(key));
   if (auto mesh = left_by_another(place, key)) return std::move(*mesh);

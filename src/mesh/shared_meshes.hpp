@@ -8,17 +8,17 @@
 
 namespace gnomon {
 
-/// A folder for them, which ends with the object. Throws Error.
+/// While one exists, this process and those that it starts keep the meshes that they make in a
+/// temporary folder, which ends with the outermost one. Where there can be no such folder, each
+/// makes its own.
 class SharedMeshes {
 public:
-  /// Names the folder, in the environment of the processes that share it.
-  static constexpr const char* variable = "GNOMON_SHARED_MESHES";
-
   SharedMeshes();
   ~SharedMeshes();
   SharedMeshes(const SharedMeshes&) = delete;
   SharedMeshes& operator=(const SharedMeshes&) = delete;
 
+  /// Empty: there is none, or that of another one.
   const std::filesystem::path& folder() const { return folder_; }
 
 private:

@@ -56,12 +56,12 @@ ProcessEnd end_of(int status, const rusage& usage) {
   _exit(127);
 }
 
-/// The environment of this process, in which they share meshes, with one thread per process unless
-/// the user has chosen another number: processes that run at the same time would compete with each
-/// other's threads for the cores.
-std::vector<char*> environment(std::string& meshes) {
+/// The environment of this process, with one thread per process unless the user has chosen another
+/// number: processes that run at the same time would compete with each other's threads for the
+/// cores.
+std::vector<char*> environment() {
   static char one_thread[] = "OMP_NUM_THREADS=1";
-  std::vector<char*> result = {meshes.data()};
+  std::vector<char*> result;
   for (char** entry = environ; *entry; ++entry) result.push_back(*entry);
   if (!getenv("OMP_NUM_THREADS")) result.push_back(one_thread);
   result.push_back(nullptr);
@@ -104,8 +104,7 @@ std::vector<char*> pointers_to(const std::vector<std::string>& words) {
 
 void ProcessPool::start(std::size_t index, const Command& command) {
   const std::vector<char*> argv = pointers_to(command.arguments);
-  std::string meshes = fmt::format("{}={}", SharedMeshes::variable, meshes_.folder().string());
-  const std::vector<char*> envp = environment(meshes);
+  const std::vector<char*> envp = environment();
   const std::string log = command.log.string();
   const pid_t parent = getpid(), process = fork();
   if (process == 0) become(parent, log.c_str(), argv.data(), envp.data());

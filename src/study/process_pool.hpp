@@ -12,8 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "mesh/shared_meshes.hpp"
-
 namespace gnomon::study {
 
 /// The words of a command as exec() takes them; they stay where they are.
@@ -38,8 +36,8 @@ struct Command {
 /// empty if there is none.
 std::string process_stat(long process);
 
-/// The processes of a pool share the meshes that they make. They end with the pool, and with the
-/// process that made it, however that process ends.
+/// The processes of a pool end with the pool, and with the process that made it, however that
+/// process ends.
 class ProcessPool {
 public:
   using Clock = std::chrono::steady_clock;
@@ -76,7 +74,6 @@ private:
   void kill_the_late();
 
   std::vector<Child> children_;
-  SharedMeshes meshes_;
 };
 
 }  // namespace gnomon::study

@@ -21,10 +21,6 @@ ImportedMesh square() {
 
 class Shared : public ::testing::Test {
 protected:
-  void TearDown() override { unsetenv(SharedMeshes::variable); }
-  void share(const SharedMeshes& meshes) const {
-    setenv(SharedMeshes::variable, meshes.folder().c_str(), 1);
-  }
   ImportedMesh ask(const std::string& key) {
     return shared_mesh(key, [this] { return ++made_, square(); });
   }
@@ -33,7 +29,6 @@ protected:
 
 TEST_F(Shared, IsMadeOnceForEachKey) {
   const SharedMeshes meshes;
-  share(meshes);
   for (const char* key : {"one", "one", "other", "one"}) {
     const ImportedMesh mesh = ask(key);
     EXPECT_EQ(mesh.nodes, square().nodes);
@@ -51,17 +46,29 @@ TEST_F(Shared, IsMadeEachTimeWhereNothingIsShared) {
   {
     const SharedMeshes meshes;
     folder = meshes.folder();
-    share(meshes);
     EXPECT_TRUE(fs::exists(folder));
+    EXPECT_TRUE(SharedMeshes().folder().empty());  // that of the outer one stays
+    ask("one"), ask("one");
   }
   EXPECT_FALSE(fs::exists(folder));
   ask("one"), ask("one");
-  EXPECT_EQ(made_, 4);
+  EXPECT_EQ(made_, 5);
+}
+
+TEST_F(Shared, NeedsNoFolder) {
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before ? before : "";
+  setenv("TMPDIR", "/nowhere", 1);
+  {
+    const SharedMeshes meshes;
+    ask("one"), ask("one");
+  }
+  before ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
+  EXPECT_EQ(made_, 2);
 }
 
 TEST_F(Shared, IsMadeAgainWhereItIsNotWhole) {
   const SharedMeshes meshes;
-  share(meshes);
   ask("one");
   for (const auto& entry : fs::directory_iterator(meshes.folder()))
     fs::resize_file(entry.path(), fs::file_size(entry.path()) - 8);
