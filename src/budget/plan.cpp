@@ -78,10 +78,10 @@ private:
     bool is_enough = false;
     failure_of([&] {
       Trial trial = pilots_.run(fewer, how);
-      const std::vector<double> errors = differences(coarse_->goals, trial.goals);
-      is_enough = largest_inside(errors) <= little * within_;
+      const double error = largest_inside(differences(coarse_->goals, trial.goals));
+      is_enough = error <= little * within_;
       if (!is_enough) return;
-      add_known({.source = ErrorSource::phases, .key = key.name, .how = how, .errors = errors});
+      choices_.phases = {key, error};
       coarse_ = std::move(trial);
     });
     return is_enough;

@@ -136,7 +136,6 @@ TEST(Plan, ChoosesPhases) {
     return plan_of(asked, {}).scene.reals("cycle.phases").at(0);
   };
   const double few = phases("0.5"), many = phases("0.002");
-  EXPECT_GE(few, 4);
   EXPECT_LT(few, many);
   EXPECT_GE(many, 16);
   EXPECT_LE(many, 128);
@@ -149,9 +148,6 @@ TEST(Plan, TakesFewPhasesWhereMoreChangeNothing) {
                           .without("cycle.phases");
   const Plan made = plan_of(asked, {});
   EXPECT_EQ(made.scene.reals("cycle.phases"), std::vector<double>{4});
-  const auto known = std::ranges::find(made.known, "cycle.phases", &BudgetPart::key);
-  ASSERT_NE(known, made.known.end());
-  for (const double error : known->errors) EXPECT_LT(error, 0.005);
   const auto goes_on = [](double) { return false; };
   const auto few = budget::try_scene(made.scene, goes_on),
              many = budget::try_scene(made.scene.with("cycle.phases", std::vector<double>{32}),
