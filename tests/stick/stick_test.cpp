@@ -483,6 +483,8 @@ TEST_F(Fretting, ForcesThatJumpAreToldOf) {
   std::string text = cylinder();
   text.replace(text.find("sin(2*pi*tau)"), 13, "if(tau < 0.5, 1, -1)");
   EXPECT_THAT(model(text)->remarks, Contains(HasSubstr("the cycle jumps at tau = 0")));
+  text.replace(text.find("if(tau < 0.5, 1, -1)"), 20, "if(tau > 0.25, if(tau > 0.75, 1, -1), 1)");
+  EXPECT_THAT(model(text)->remarks, Contains(HasSubstr("the cycle jumps at tau = 0.25")));
   EXPECT_THAT(model(cylinder())->remarks, Each(Not(HasSubstr("jumps"))));
 }
 
