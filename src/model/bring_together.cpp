@@ -112,8 +112,14 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
       const std::size_t side = stays(0);
       along[side].normalize();
       const Vector<dim> in_space = place.of[side].turn * along[side];
-      const double travel =
-          travel_to_touch<dim>(pair, side == 0 ? Vector<dim>(-in_space) : in_space, x);
+      double travel = std::numeric_limits<double>::infinity();  // of all pairs of the two
+      for (const MortarPair<dim>& other : parts.pairs) {
+        const int slave = part[other.slave.front()[0]], master = part[other.master.front()[0]];
+        if (std::minmax(slave, master) != std::minmax(numbers[0], numbers[1])) continue;
+        travel = std::min(
+            travel, travel_to_touch<dim>(
+                        other, slave == numbers[side] ? Vector<dim>(-in_space) : in_space, x));
+      }
       if (!std::isfinite(travel)) continue;
       // Farther than what it rests on: both would go the same way without pressing on each other.
       const auto rest = pressed.find(numbers[1 - side]);
