@@ -171,8 +171,12 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
   for (const NamedSupport& each : held.named) balance.reactions.push_back({each.name});
   for (const SpringSupport<dim>& each : held.springs) balance.reactions.push_back({each.name});
   std::vector<ResultantForce> pairs;
-  for (const MortarPair<dim>& pair : assembly.pairs)
-    pairs.push_back({fmt::format("\"{}\" on \"{}\"", pair.bodies[0], pair.bodies[1])});
+  for (const MortarPair<dim>& pair : assembly.pairs) {
+    std::string name = fmt::format("\"{}\" on \"{}\"", pair.bodies[0], pair.bodies[1]);
+    if (std::ranges::count(assembly.pairs, pair.numbers, &MortarPair<dim>::numbers) > 1)
+      name += fmt::format(" (pair {})", pairs.size() + 1);
+    pairs.push_back({std::move(name)});
+  }
   double idle = 0, all = 0;
   for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
     const double weight = assembly.copies * equations_.phases()[p].weight;
