@@ -67,7 +67,7 @@ private:
   StepReport take_step(State& state, double t_stop) override {
     int order = order_;
     if (is_breakpoint(system_.structure(), state.t))
-      pass_breakpoint(system_, counters_, nullptr, state);
+      pass_breakpoint(system_, settings_, counters_, nullptr, state);
     t_stop = end_of_smooth_part(system_.structure(), state.t, t_stop);
     if (settings_.step == 0) t_stop = end_at_stop(system_.structure(), state.t, t_stop);
     handle_->step_from = state.t;
