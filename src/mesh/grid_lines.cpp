@@ -34,7 +34,7 @@ struct FineEnd {
   double size;
 };
 
-FineEnd fine_zone(double size, double fine, double end) {
+FineEnd fine_end(double size, double fine, double end) {
   if (!(size > 0 && fine >= 0 && end > 0 && fine <= end))
     throw InputError(fmt::format(
         "graded mesh: element size {}, fine length {} and length {} do not fit", size, fine, end));
@@ -50,7 +50,7 @@ FineEnd fine_zone(double size, double fine, double end) {
 }  // namespace
 
 std::vector<double> graded_grid_lines(double size, double fine, double end, int elements) {
-  const FineEnd zone = fine_zone(size, fine, end);
+  const FineEnd zone = fine_end(size, fine, end);
   const int growing = elements - zone.elements;
   if (growing < 0 || (growing == 0) != (fine == end))
     throw InputError(
@@ -74,7 +74,7 @@ std::vector<double> graded_grid_lines(double size, double fine, double end, int 
 std::vector<double> graded_grid_lines_by_growth(double size, double fine, double end,
                                                 double growth) {
   if (!(growth > 1)) throw InputError(fmt::format("graded mesh: growth {} is not above 1", growth));
-  const FineEnd zone = fine_zone(size, fine, end);
+  const FineEnd zone = fine_end(size, fine, end);
   const double needed = (1 - 1e-12) * (end - fine) / zone.size;
   int growing = 0;
   for (double sum = 0; sum < needed; sum = (sum + 1) * growth)
