@@ -1,6 +1,6 @@
 // Mortar sums of one slave facet over all masters that cover it (mortar_kernel.hpp), with the dual
-// basis psi of its covered part; the phi of corners that have hardly any of it are added to those of
-// their neighbours:
+// basis psi of its covered part; the phi of corners that have hardly any of it are added to those
+// of their neighbours:
 //
 //   D_a = int psi_a dS = int phi_a dS,   g_a = int psi_a (x^2 - x^1) . n dS
 //   M_ab = int psi_a N_b dS,             W_ab = int I(phi_a N_b) dS
