@@ -77,12 +77,15 @@ std::vector<double> graded_grid_lines_by_growth(double size, double fine, double
   const FineEnd zone = fine_end(size, fine, end);
   const double needed = (1 - 1e-12) * (end - fine) / zone.size;
   int growing = 0;
-  for (double sum = 0; sum < needed; sum = (sum + 1) * growth)
+  double sum = 0;
+  while (sum < needed) {
+    sum = (sum + 1) * growth;
     if (++growing > most_elements)
       throw InputError(
           fmt::format("graded mesh: growth {} from elements of {} to a length of {} takes more "
                       "than {} elements",
                       growth, zone.size, end, most_elements));
+  }
   return graded_grid_lines(size, fine, end, zone.elements + growing);
 }
 
