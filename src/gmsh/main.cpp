@@ -1,7 +1,7 @@
 // The program that uses Gmsh's library: gnomon_gmsh FILE SIZE FACTOR [ZONE]. It reads or meshes a
-// file and hands the mesh to gnomon (src/mesh/gmsh_process.cpp), which starts it. A process of its own
-// because a damaged file, a script that says Exit or a failed algorithm may end it; gnomon has its
-// signals, its terminal and its memory for itself.
+// file and hands the mesh to gnomon (src/mesh/gmsh_process.cpp), which starts it. A process of its
+// own because a damaged file, a script that says Exit or a failed algorithm may end it; gnomon has
+// its signals, its terminal and its memory for itself.
 #include <gmsh.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
