@@ -48,6 +48,7 @@ private:
 template <int dim>
 class FacetMatrix {
   static constexpr int corners = Mesh<dim>::facet_nodes;
+  static constexpr Eigen::Index size = dim;  // its products are indices
   using Tangent = MortarFacetTangent<dim>;
   using Wide = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
@@ -59,15 +60,15 @@ public:
         tangent_(tangent),
         turn_({places.of[0].turn, places.of[1].turn}),
         own_(own),
-        constraints_(corners * (own > 1 ? 1 + dim : 1)),
-        columns_(dim * static_cast<int>(nodes.all.size())) {
+        constraints_(corners * (own > 1 ? 1 + size : 1)),
+        columns_(dim * std::ssize(nodes.all)) {
     const auto rows = static_cast<int>(nodes.rows);
-    K_ = Eigen::MatrixXd::Zero(constraints_ + 2 * dim * rows, corners * own + 2 * columns_);
+    K_ = Eigen::MatrixXd::Zero(constraints_ + 2 * size * rows, corners * own_ + 2 * columns_);
     // A change of d moves the undeformed position and, with it, the current one.
     G_ = Eigen::MatrixXd::Zero(tangent.by_input.rows(), 2 * columns_);
     constexpr int X = 0, x = corners * dim, y = Tangent::own;
     for (int a = 0; a < corners; ++a) {
-      G_.middleCols(columns_ + dim * a, dim) += tangent.by_input.middleCols(X + dim * a, dim);
+      G_.middleCols(columns_ + size * a, dim) += tangent.by_input.middleCols(X + size * a, dim);
       move(a, tangent.by_input.middleCols(x + dim * a, dim) * turn_[0]);
     }
     for (std::size_t k = 0; k < nodes.masters.size(); ++k)
@@ -88,7 +89,7 @@ public:
     speed_by = Eigen::RowVectorXd::Zero(2 * columns_);
     const auto add = [&](int position, const Tensor<dim>& change,
                          const Eigen::Matrix<double, 1, dim>& faster) {
-      for (const int first : {dim * position, columns_ + dim * position}) {
+      for (const Eigen::Index first : {size * position, columns_ + size * position}) {
         traction_by.middleCols(first, dim) += change;
         speed_by.segment(first, dim) += faster;
       }
@@ -152,7 +153,7 @@ public:
                                    double by_pressure, double by_speed) {
     const double W = tangent_.facet.masters[master].W(a, b);
     const MortarTraction<dim>& of = *traction_[a];
-    const int row = d_row(nodes_.masters[master][b]);
+    const Eigen::Index row = d_row(nodes_.masters[master][b]);
     K_.block(row, own_ * a, dim, own_) +=
         W * direction * (by_pressure * of.pressure_by_own + by_speed * of.speed_by_own);
     K_.block(row, corners * own_, dim, 2 * columns_) += by_speed * W * direction * speed_by_[a];
@@ -169,19 +170,19 @@ public:
 private:
   /// A force that is `area` times the traction of corner a; `by_area` by the area.
   template <class Row>
-  void add_force(int row, int a, const Tensor<dim>& area, const Vector<dim>& by_area,
+  void add_force(Eigen::Index row, int a, const Tensor<dim>& area, const Vector<dim>& by_area,
                  const Row& change) {
     K_.block(row, corners * own_, dim, 2 * columns_) += by_area * change + area * traction_by_[a];
     K_.block(row, own_ * a, dim, own_) += area * traction_[a]->by_own;
   }
   template <class Columns>
   void move(int position, const Columns& by) {
-    G_.middleCols(dim * position, dim) += by;
-    G_.middleCols(columns_ + dim * position, dim) += by;
+    G_.middleCols(size * position, dim) += by;
+    G_.middleCols(columns_ + size * position, dim) += by;
   }
-  int u_row(int position) const { return constraints_ + dim * position; }
-  int d_row(int position) const {
-    return constraints_ + dim * (static_cast<int>(nodes_.rows) + position);
+  Eigen::Index u_row(int position) const { return constraints_ + size * position; }
+  Eigen::Index d_row(int position) const {
+    return constraints_ + size * (static_cast<int>(nodes_.rows) + position);
   }
   static int row_of(int master, int a, int b) {
     return Tangent::row_of_masters + master * Tangent::rows_of_master + corners * b + a;
@@ -190,7 +191,7 @@ private:
   const FacetNodes<dim>& nodes_;
   const Tangent& tangent_;
   std::array<Tensor<dim>, 2> turn_;  // of slave and master
-  int own_, constraints_, columns_;
+  Eigen::Index own_, constraints_, columns_;
   Eigen::MatrixXd G_, K_;  // G: derivatives of the facet's sums by u and d of all nodes
   std::array<const MortarTraction<dim>*, corners> traction_{};
   std::array<Wide, corners> traction_by_;  // by u and d of all nodes

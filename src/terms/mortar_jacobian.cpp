@@ -26,11 +26,11 @@ void MortarTerm<dim>::add_side(const Side& side, const SideState& state,
     add({number}, {number}, Eigen::MatrixXd::Constant(1, 1, -1 / state_.rho), values);
   }
   if (!state.direction) return;
-  const auto count = static_cast<int>(own.nodes.size());
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(dim, 2 * dim * count);
+  const Eigen::Index count = std::ssize(own.nodes);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(dim, 2 * count * dim);
   const double scale = weight(side) * state.area;
   const Vector<dim> along = scale * state.direction->value;
-  for (int p = 0; p < count; ++p)
+  for (Eigen::Index p = 0; p < count; ++p)
     K.template middleCols<dim>(dim * (count + p)) =
         scale * state.rate.value * state.direction->by_X[static_cast<std::size_t>(p)];
   K.template middleCols<dim>(dim * count) -=
