@@ -133,8 +133,7 @@ void extrapolate(BudgetPart& part, const std::vector<Scalar>& values,
   if (!growing.empty())
     part.doubt = fmt::format(
         "the changes of {} from larger to smaller elements hardly fall: the error is not known, "
-        "and "
-        "may be several times as large",
+        "and may be several times as large",
         fmt::join(growing, ", "));
 }
 

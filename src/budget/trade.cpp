@@ -56,11 +56,6 @@ void learn_mesh(const Trial& coarse, const Trial& fine, double factor,
   // bounds.
   constexpr double chance = 3, most_gain = 0.5;
   const double error = largest(errors, places) / std::pow(factor, usual_order);
-  if (getenv("DBG"))
-    fprintf(stderr, "learn factor %g error %g at factor; coefficient %g before %g\n", factor,
-            largest(errors, places), error, trade.mesh);
-  for (auto i : places)
-    if (getenv("DBG")) fprintf(stderr, "  %s %g\n", fine.goals.values[i].name.c_str(), errors[i]);
   trade.mesh = std::clamp(most_gain * trade.mesh, error, chance * error);
   trade.cost_mesh = std::max({cost_of_nodes * nodes_added(coarse.goals, fine.goals),
                               std::log2(fine.work / coarse.work), least_cost});
