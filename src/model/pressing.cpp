@@ -120,10 +120,13 @@ double given_overlap(const AssemblyParts<dim>& parts) {
     for (const auto& entry : held.entries) take(held.history, entry.value);
   for (const Guide<dim>& guide : parts.interface.partner.guides)
     if (guide.travel) take(*guide.travel, 1);
-  const bool pairs = !parts.pairs.empty();
-  const auto nodes = pairs ? std::vector<ContactPatch<dim>>{} : contact_nodes_of(parts);
+  if (parts.pairs.empty()) {
+    const auto nodes = contact_nodes_of(parts);
+    for (const Phase<dim>& phase : parts.instants())
+      most = std::max(most, overlap_at_rest(nodes, phase.counter_body));
+    return most;
+  }
   for (const Phase<dim>& phase : parts.instants()) {
-    if (!pairs) most = std::max(most, overlap_at_rest(nodes, phase.counter_body));
     const auto x = in_space(parts.pairs, phase.places, parts.mesh.nodes);
     for (const MortarPair<dim>& pair : parts.pairs)
       most = std::max(most, -travel_to_touch<dim>(pair, pair.approach, x));
