@@ -163,6 +163,15 @@ Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& 
   return carried + motion.cycle.rotation->value(phase.position) * (motion.axis.spin * arm);
 }
 
+template <int dim>
+Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
+                       const Phase<dim>& phase) {
+  const Vector<dim> touched = rest.position + rest.motion.reference;
+  return carried_by(motion, rest, phase, phase.places.empty() ? touched : motion.point);
+}
+
+template Vector<2> carried_by(const CyclicMotion<2>&, const CounterBody<2>&, const Phase<2>&);
+template Vector<3> carried_by(const CyclicMotion<3>&, const CounterBody<3>&, const Phase<3>&);
 template Vector<2> carried_by(const CyclicMotion<2>&, const CounterBody<2>&, const Phase<2>&,
                               const Vector<2>&);
 template Vector<3> carried_by(const CyclicMotion<3>&, const CounterBody<3>&, const Phase<3>&,

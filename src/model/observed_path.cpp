@@ -49,11 +49,7 @@ Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase
   CyclicMotion<dim> motion = assembly.cycle->motion;
   // The slave may be the second in the scene.
   if (!assembly.pairs.empty()) motion.sliding = assembly.pairs.front().numbers;
-  const CounterBody<dim>& partner = assembly.interface.partner;
-  return carried_by(motion, partner, phase,
-                    assembly.pairs.empty()
-                        ? Vector<dim>(partner.position + partner.motion.reference)
-                        : motion.point);
+  return carried_by(motion, assembly.interface.partner, phase);
 }
 
 /// Keeps what is not across planes of symmetry, which cut the contact where supports hold nodes

@@ -176,12 +176,8 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
   const double shear = parts.interface.friction * expected.scales.displacement,
                period = parts.cycle->motion.cycle.period;
   double stroke = 0;
-  const CounterBody<dim>& partner = parts.interface.partner;
-  const Vector<dim> touched = parts.pairs.empty()
-                                  ? Vector<dim>(partner.position + partner.motion.reference)
-                                  : parts.cycle->motion.point;
   const auto carried = [&](const Phase<dim>& phase) {
-    return carried_by(parts.cycle->motion, partner, phase, touched);
+    return carried_by(parts.cycle->motion, parts.interface.partner, phase);
   };
   for (const Phase<dim>& phase : parts.phases)
     for (const Phase<dim>& other : parts.phases)

@@ -74,6 +74,11 @@ Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
 template <int dim>
 Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
                        const Phase<dim>& phase, const Vector<dim>& X);
+/// The same where they slide on each other: at motion.point of pairs, else where the counter-body
+/// touches.
+template <int dim>
+Vector<dim> carried_by(const CyclicMotion<dim>& motion, const CounterBody<dim>& rest,
+                       const Phase<dim>& phase);
 
 /// The phases of a path at the ends of its intervals. In the mean over the cycle each stands for
 /// half of the intervals on both sides, around the cycle.
