@@ -49,10 +49,7 @@ std::vector<const CycleFunction*> functions_of(const CyclicMotion<dim>& motion,
 }
 
 /// Positions in [0, 1) at which a function of the cycle turns, jumps or has a corner.
-template <int dim>
-std::vector<double> extremes_of(const CyclicMotion<dim>& motion,
-                                const std::vector<CycleFunction>& loads) {
-  const std::vector<const CycleFunction*> functions = functions_of(motion, loads);
+std::vector<double> extremes_of(const std::vector<const CycleFunction*>& functions) {
   std::vector<double> found;
   for (const CycleFunction* function : functions)
     found = merged_kinks(std::move(found), function->kinks());
@@ -136,7 +133,8 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
   if (motion.cycle.rotation && std::ranges::any_of(rest.guides, &Guide<dim>::turns))
     refuse_path(scene, "no cycle.rotation beside a moment in [[counter_body.press]]");
   const std::vector<CycleFunction> loads = factors_of_loads(scene);
-  const std::vector<double> extremes = extremes_of(motion, loads);
+  const std::vector<const CycleFunction*> functions = functions_of(motion, loads);
+  const std::vector<double> extremes = extremes_of(functions);
   ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
   result.phases = path_phases(points_of(scene, extremes), motion, rest, force);
   require_forces(scene, result.phases, rest.guides.empty() ? "" : rest.guides.front().key, force);
@@ -145,7 +143,7 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
     result.remarks.push_back(
         fmt::format("cycle.phases: {} phases, since all corners and extremes of the cycle are some",
                     result.phases.size()));
-  if (std::string jumps = remark_on_jumps(functions_of(motion, loads)); !jumps.empty())
+  if (std::string jumps = remark_on_jumps(functions); !jumps.empty())
     result.remarks.push_back(std::move(jumps));
   return result;
 }
