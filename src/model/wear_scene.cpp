@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -7,7 +6,6 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>
-#include <gnomon/scene/toml_key.hpp>
 #include <gnomon/wear_laws/law_in_time.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 #include <set>
@@ -253,38 +251,6 @@ std::set<std::string, std::less<>> names_in_rates(const Scene& scene) {
 }
 
 }  // namespace
-
-namespace {
-
-/// The wearing surfaces without a coefficient of their own.
-std::vector<std::string> without_coefficient(const Scene& scene) {
-  if (!scene.given("wear.on")) return {};
-  std::vector<std::string> names = scene.texts("wear.on");
-  std::erase_if(names, [&](const std::string& name) {
-    return scene.given("wear.surfaces." + toml_key(name) + ".coefficient");
-  });
-  return names;
-}
-
-}  // namespace
-
-void require_coefficient(const Scene& scene) {
-  if (!scene.knows("wear.rate") || scene.has("wear.coefficient") || !reads_in_rates(scene, "k"))
-    return;
-  const std::vector<std::string> names = without_coefficient(scene);
-  const bool by_surface = scene.given("wear.on") && !scene.texts("wear.on").empty();
-  if (by_surface && names.empty()) return;
-  throw InputError(scene.where("wear.coefficient") +
-                   ": missing, expected a number [1/MPa]: the wear law reads it, as k" +
-                   (by_surface ? fmt::format(", of \"{}\"; wear.surfaces.{}.coefficient gives it "
-                                             "for one surface",
-                                             fmt::join(names, "\", \""), toml_key(names.front()))
-                               : ""));
-}
-
-bool asks_for_wear(const Scene& scene) {
-  return scene.real_if("wear.coefficient").value_or(1) > 0;
-}
 
 bool reads_in_rates(const Scene& scene, const std::string& name) {
   return scene.text("wear.law") != "expression" || names_in_rates(scene).contains(name);

@@ -77,16 +77,6 @@ void require_positions(const Scene& scene, const std::string& key) {
 template void require_positions<2>(const Scene&, const std::string&);
 template void require_positions<3>(const Scene&, const std::string&);
 
-void require_surface_names(const Scene& scene) {
-  const std::vector<std::string>& surfaces = scene.texts("wear.on");
-  for (const char* key : {".rate", ".coefficient", ".path"})
-    for (const std::string& name : scene.chosen_names("wear.surfaces.\"*\"" + std::string(key)))
-      if (std::ranges::find(surfaces, name, toml_key) == surfaces.end())
-        throw InputError(fmt::format("{}: expected one of wear.on, \"{}\", in the place of {}",
-                                     scene.where("wear.surfaces." + name + key),
-                                     fmt::join(surfaces, "\", \""), name));
-}
-
 namespace {
 
 /// Where an expression reads s and the motion gives its speed.

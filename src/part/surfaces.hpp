@@ -20,9 +20,6 @@ WearLaw read_surface_law(const Scene& scene, const std::string& surface, double 
 template <int dim>
 void require_positions(const Scene& scene, const std::string& key);
 
-/// Throws InputError for a law of a surface that does not wear.
-void require_surface_names(const Scene& scene);
-
 /// Checks and completes the laws for the values that a run may meet (required_law()). To be called
 /// when scales are known. Throws InputError.
 template <int dim>

@@ -1,6 +1,7 @@
 #include "part/unshaped_part.hpp"
 
 #include <gnomon/base/error.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/shapes/counter_body_scene.hpp>
 

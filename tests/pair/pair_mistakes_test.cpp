@@ -183,6 +183,8 @@ TEST(PairMistakes, OfWear) {
       key("a surface that meets nothing", R"(wear.on=["base"])", "touch another body"),
       key("an unknown surface", R"(wear.on=["round", "faze"])", "did you mean \"face\"?"),
       key("a law of no surface", "wear.surfaces.base.coefficient=1e-8", "expected one of wear.on"),
+      text("a coefficient of no surface alone", "[wear.surfaces.round]", "[wear.surfaces.base]",
+           "key `wear.surfaces.base.coefficient`: expected one of"),
       key("a negative coefficient", "wear.surfaces.round.coefficient=-1e-8",
           "expected a number in [0, 1e+30]"),
       text("no coefficient", "coefficient = 1e-8", "rate = \"k*p*v\"",

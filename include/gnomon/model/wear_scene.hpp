@@ -48,6 +48,8 @@ InputError unsound_law(const Scene& scene, const RecoverableError& error);
 WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at,
                      std::vector<std::string>& remarks, const std::string& rate_key = "wear.rate");
 
+/// Throws InputError for a key of a surface that does not wear, which wear.on does not name.
+void require_surface_names(const Scene& scene);
 /// Throws InputError where a law of the scene reads wear.coefficient, but it is not given.
 void require_coefficient(const Scene& scene);
 /// Whether the scene asks for wear: a coefficient of 0 is a contact analysis.

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <gnomon/base/error.hpp>
+#include <gnomon/model/wear_scene.hpp>
+#include <gnomon/scene/toml_key.hpp>
+
+namespace gnomon {
+
+namespace {
+
+/// The wearing surfaces without a coefficient of their own.
+std::vector<std::string> without_coefficient(const Scene& scene) {
+  if (!scene.given("wear.on")) return {};
+  std::vector<std::string> names = scene.texts("wear.on");
+  std::erase_if(names, [&](const std::string& name) {
+    return scene.given("wear.surfaces." + toml_key(name) + ".coefficient");
+  });
+  return names;
+}
+
+}  // namespace
+
+void require_surface_names(const Scene& scene) {
+  const std::vector<std::string>& surfaces = scene.texts("wear.on");
+  for (const char* key : {".rate", ".coefficient", ".path"})
+    for (const std::string& name : scene.chosen_names("wear.surfaces.\"*\"" + std::string(key)))
+      if (std::ranges::find(surfaces, name, toml_key) == surfaces.end())
+        throw InputError(fmt::format("{}: expected one of wear.on, \"{}\", in the place of {}",
+                                     scene.where("wear.surfaces." + name + key),
+                                     fmt::join(surfaces, "\", \""), name));
+}
+
+void require_coefficient(const Scene& scene) {
+  if (!scene.knows("wear.rate") || scene.has("wear.coefficient") || !reads_in_rates(scene, "k"))
+    return;
+  if (scene.given("wear.on")) require_surface_names(scene);
+  const std::vector<std::string> names = without_coefficient(scene);
+  const bool by_surface = scene.given("wear.on") && !scene.texts("wear.on").empty();
+  if (by_surface && names.empty()) return;
+  throw InputError(scene.where("wear.coefficient") +
+                   ": missing, expected a number [1/MPa]: the wear law reads it, as k" +
+                   (by_surface ? fmt::format(", of \"{}\"; wear.surfaces.{}.coefficient gives it "
+                                             "for one surface",
+                                             fmt::join(names, "\", \""), toml_key(names.front()))
+                               : ""));
+}
+
+bool asks_for_wear(const Scene& scene) {
+  return scene.real_if("wear.coefficient").value_or(1) > 0;
+}
+
+}  // namespace gnomon
