@@ -128,6 +128,7 @@ std::unique_ptr<Model> make(const Scene& scene) {
   const double a = scene.real("punch.half_width");
   const auto under_punch = facets_under_punch(mesh, a);
   Interface<2> interface = read_interface(scene, mesh, under_punch);
+  interface.boundary.clear();  // the facets beside the punch, which an edge would pay for
   interface.partner.motion.velocity = Vector<2>(scene.real("wear.velocity"), 0);
   const Scales scales = make_scales(scene, interface.surfaces.front().wear);
   return make_wear_model<2>(scene, 2 * a / double(scene.integer("mesh.punch_elements")),

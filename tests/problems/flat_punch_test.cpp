@@ -223,5 +223,18 @@ TEST(FlatPunch, RefusesABlockNarrowerThanThePunch) {
   EXPECT_THROW(model_of("flat_punch/small_block.toml", {"block.width=1.5"}), InputError);
 }
 
+TEST(FlatPunch, WearsToAUniformPressureByEveryRuleOfNormals) {
+  for (const Overrides& rule : {Overrides{"wear.normal=averaged"},
+                                {"wear.normal=normalised"},
+                                {"wear.normal=conservative"},
+                                {"wear.normal=conservative", "shape.motion=gap"}}) {
+    const auto model = model_of("flat_punch/small_block.toml", rule);
+    const State end = run_model(*model, "esdirk-4", 0, 1e-5, 20).last();
+    const ContactSurface surface = *model->contact(end);
+    for (const double pressure : surface.pressure)
+      EXPECT_NEAR(pressure, F / (2 * a), 0.02) << rule.back();
+  }
+}
+
 }  // namespace
 }  // namespace gnomon::flat_punch_test
