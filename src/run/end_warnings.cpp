@@ -46,6 +46,18 @@ std::string rounding_warning(const Observation& last, double invisible,
       *value_of(last, "worn_volume"), integral);
 }
 
+/// Of a worn volume that differs from the wear integral.
+std::string ledger_warning(const Observation& last) {
+  const double volume = *value_of(last, "worn_volume"), integral = *value_of(last, "wear_integral");
+  return fmt::format(
+      "the worn volume is {:.3g}, the wear integral is {:.3g}: {}", volume, integral,
+      volume > integral
+          ? "the elements beside an end of the wearing surface may lose the step there, too, less "
+            "where they are smaller; else the depth is wrong"
+          : "contact may have reached a place where the surface cannot wear, the end of the "
+            "contact zone or a held side; then pressures and shape are worthless");
+}
+
 }  // namespace
 
 std::vector<std::string> end_warnings(const Observation& last, double invisible,
@@ -57,12 +69,7 @@ std::vector<std::string> end_warnings(const Observation& last, double invisible,
         fmt::format("{} contact nodes left contact twice or more: steps seem to exceed the "
                     "critical one of {} (gnomon stability)",
                     chattering_nodes, integrator.name));
-  if (has_lost_wear(last, invisible))
-    warnings.push_back(fmt::format(
-        "the worn volume is {:.3g}, the wear integral is {:.3g}: contact may have reached a place "
-        "where the surface cannot wear, the end of the contact zone or a held side; then pressures "
-        "and shape are worthless",
-        *value_of(last, "worn_volume"), *value_of(last, "wear_integral")));
+  if (has_lost_wear(last, invisible)) warnings.push_back(ledger_warning(last));
   for (std::string text :
        {tolerance_warning(last, settings), rounding_warning(last, invisible, settings)})
     if (!text.empty()) warnings.push_back(std::move(text));

@@ -31,6 +31,8 @@ TEST(EndWarnings, TellOfWearThatTheShapeHasNotLost) {
   EXPECT_THAT(end_warnings(worn(1.7, 2), 0, 0, integrator("bdf"), {}),
               ElementsAre(HasSubstr("the worn volume is 1.7, the wear integral is 2:")));
   EXPECT_THAT(end_warnings(worn(1.9, 2), 0, 0, integrator("bdf"), {}), IsEmpty());
+  EXPECT_THAT(end_warnings(worn(2.3, 2), 0, 0, integrator("bdf"), {}),
+              ElementsAre(HasSubstr("2.3, the wear integral is 2: the elements beside an end")));
 }
 
 TEST(EndWarnings, TellOfAToleranceForDeeperWear) {
