@@ -1,5 +1,7 @@
 // A part whose mesh is given by arrays, with named groups to which its scene refers.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <gnomon/base/error.hpp>
@@ -21,11 +23,26 @@ struct Rows {
   std::size_t columns = 1;
 };
 
-/// An array of whole numbers from 0 to `end` - 1.
+/// The numbers at which an array of `end` booleans is true.
+Rows rows_of_mask(const py::array& given, std::size_t end, const std::string& what) {
+  const auto mask = py::array_t<bool, py::array::c_style>::ensure(given);
+  if (mask.ndim() != 1 || static_cast<std::size_t>(mask.size()) != end)
+    throw InputError(fmt::format("{}: expected numbers, or {} booleans", what, end));
+  Rows rows;
+  for (std::size_t k = 0; k < end; ++k)
+    if (mask.data()[k]) rows.values.push_back(static_cast<int>(k));
+  return rows;
+}
+
+/// An array of whole numbers from 0 to `end` - 1, or a mask where it has one dimension.
 Rows rows_of(const py::object& given, int dimensions, std::size_t end, const std::string& what) {
   const auto as_given = py::array::ensure(given);  // numpy would round the numbers of a list
-  const auto array = py::array_t<std::int64_t, py::array::c_style>::ensure(as_given);
-  if (!array) PyErr_Clear();
+  const char kind = as_given ? as_given.dtype().kind() : ' ';
+  if (kind == 'b' && dimensions == 1) return rows_of_mask(as_given, end, what);
+  using Whole = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+  const bool whole = kind == 'i' || kind == 'u';
+  const auto array = whole ? Whole::ensure(as_given) : py::reinterpret_steal<Whole>(py::handle());
+  if (!as_given) PyErr_Clear();
   if (!array || array.ndim() != dimensions)
     throw InputError(what + ": expected whole numbers in " +
                      (dimensions == 1 ? "one dimension" : "two dimensions"));
@@ -56,9 +73,9 @@ void add_elements(const Rows& rows, int dimension, const std::string& what, Elem
 }
 
 void set_nodes(const py::object& given, ImportedMesh& mesh) {
-  const auto points = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
-  if (!points) PyErr_Clear();
-  if (!points || points.ndim() != 2 || (points.shape(1) != 2 && points.shape(1) != 3))
+  const Reals points = real_numbers(given);
+  if (!points || points.ndim() != 2 || points.shape(0) == 0 ||
+      (points.shape(1) != 2 && points.shape(1) != 3))
     throw InputError("points: expected numbers in rows of two, in the plane, or three");
   // Other programs give points of a plane a third coordinate.
   bool flat = true;

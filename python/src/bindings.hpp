@@ -120,6 +120,10 @@ py::array_t<T> array(std::vector<T> values, std::vector<py::ssize_t> shape = {})
   return py::array_t<T>(shape, data, owner);
 }
 
+using Reals = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// What is given as real numbers; null where it is something else.
+Reals real_numbers(const py::object& given);
+
 /// Vectors as rows of an array [n, 3].
 py::array_t<double> array_of_points(const std::vector<std::array<double, 3>>& points);
 

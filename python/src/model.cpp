@@ -6,12 +6,17 @@
 
 namespace gnomon::python {
 
+Reals real_numbers(const py::object& given) {
+  const auto as_given = py::array::ensure(given);
+  const bool complex = as_given && as_given.dtype().kind() == 'c';  // its real part alone is taken
+  Reals values = complex ? py::reinterpret_steal<Reals>(py::handle()) : Reals::ensure(given);
+  if (!values) PyErr_Clear();
+  return values;
+}
+
 std::vector<double> numbers(const py::object& given, long size, const std::string& what) {
-  const auto values = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
-  if (!values) {
-    PyErr_Clear();
-    throw InputError(what + ": expected an array of numbers");
-  }
+  const Reals values = real_numbers(given);
+  if (!values) throw InputError(what + ": expected an array of real numbers");
   if (values.ndim() != 1 || values.size() != size)
     throw InputError(what + ": expected " + std::to_string(size) + " numbers, got an array of " +
                      std::to_string(values.size()) + " in " + std::to_string(values.ndim()) +

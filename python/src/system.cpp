@@ -25,6 +25,14 @@ const System& SystemHandle::system() const {
 
 namespace {
 
+/// Throws InputError for what is no time, or a time `within` that is later.
+void require_time(double t, std::optional<double> within) {
+  const std::string at = "t = " + std::string(py::str(py::float_(t)));
+  if (!std::isfinite(t)) throw InputError(at + ": expected a finite time");
+  if (within && !(*within <= t))
+    throw InputError(at + ": expected a time `within` that is not later");
+}
+
 /// The arguments of System::residual and others, as a Point that refers to them.
 struct PointArguments {
   std::vector<double> y, ydot;
@@ -34,6 +42,7 @@ struct PointArguments {
   PointArguments(const Structure& structure, double t, const py::object& at,
                  const py::object& rates, const py::object& on, const py::object& within)
       : y(numbers(at, structure.size, "y")) {
+    require_time(t, within.is_none() ? std::nullopt : std::optional(within.cast<double>()));
     if (!rates.is_none())
       ydot = numbers(rates, structure.size, "ydot");
     else if (std::ranges::count(structure.differential, 1) > 0)
@@ -108,9 +117,7 @@ State consistent(const SystemHandle& handle, double t, const py::object& y,
   if (!within) within = handle.step_from;
   State state{t, numbers(y, handle.structure().size, "y"), {}};
   const std::string at = "t = " + std::string(py::str(py::float_(t)));
-  if (!std::isfinite(t)) throw InputError(at + ": expected a finite time");
-  if (within && !(*within <= t))
-    throw InputError(at + ": expected a time `within` that is not later");
+  require_time(t, within);
   for (std::size_t i = 0; i < state.y.size(); ++i)
     if (!std::isfinite(state.y[i]))  // as a method arrives at that is not stable
       throw SolutionError("no equilibrium at " + at + ": y[" + std::to_string(i) +

@@ -114,6 +114,10 @@ def test_its_result_goes_on_without_the_arrays(tmp_path):
     ({"cells": [[0, 1, 2, -1]]}, "got -1"),
     ({"cells": [[0.5, 1, 2, 3]]}, "cells: expected whole numbers"),
     ({"cells": [0, 1, 2, 3]}, "cells: expected whole numbers in two dimensions"),
+    ({"cells": numpy.array([[0, 1, 2, 3]]) > 0}, "cells: expected whole numbers"),
+    ({"points": numpy.zeros((0, 2))}, "points: expected numbers in rows of two"),
+    ({"points": numpy.array([[-1, -1], [1, -1], [1, 0], [-1, 0]]) + 0j}, "points: expected numbers in rows of two"),
+    ({"bodies": {"all": [True, False]}}, "cells of \"all\": expected numbers, or 1 booleans"),
     ({"cells": [[0, 1]]}, "no element of 2 dimensions has 2 corners"),
     ({"facets": {"bottom": [[0, 1]], "surface": [[0, 2]], "side": [[3, 0]]}}, "surface"),
     ({"facets": {"bottom": [[0, 1]], "side": [[3, 0]]}}, "surface"),
@@ -125,6 +129,16 @@ def test_what_is_wrong_is_refused(change, expected):
              "facets": {"bottom": [[0, 1]], "surface": [[2, 3]], "side": [[3, 0]]}} | change
     with pytest.raises(gnomon.InputError, match=expected):
         gnomon.assemble(**given)
+
+
+def test_groups_may_be_masks():
+    points, cells, facets = block()
+    held = numpy.array(points)[:, 1] == min(y for _, y in points)
+    by_nodes = scene({"support.1.on": "held"})
+    pressures = [gnomon.assemble(by_nodes, points, numpy.array(cells, dtype=numpy.uint64), facets, {"held": nodes})
+                 for nodes in (held, numpy.flatnonzero(held))]
+    first, second = [model.contact(model.start())["pressure"] for model in pressures]
+    assert first.tolist() == second.tolist()
 
 
 def test_a_scene_with_a_mesh_of_its_own_is_refused():
