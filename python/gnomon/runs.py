@@ -19,6 +19,7 @@ class Outcome:
     summary: dict        #: as `gnomon run --summary` writes it
     history: Table       #: one array per column, one entry per step
     state: object        #: the last State; None if the start failed
+    model: object        #: the Model of this state, another one than at the start where contact has grown
     surface: dict        #: the contact surface of this state, one array per column; None without one
 
 

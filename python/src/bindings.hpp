@@ -36,12 +36,25 @@ void add_extensions(py::module_& module);
 void add_arrays(py::module_& module);
 void add_budget(py::module_& module);
 
-/// A scene and its model, which Python objects share; their calls take turns.
-struct SharedModel {
-  explicit SharedModel(Setup made) : setup(std::move(made)) {}
-  Setup setup;
-  Counters counters;          // of what is asked of its system
-  std::recursive_mutex busy;  // a callback of a run may ask its model
+/// A scene and its model, which Python objects share; the calls of all models of a scene take
+/// turns.
+class SharedModel {
+public:
+  explicit SharedModel(Setup made) : setup_(std::make_shared<const Setup>(std::move(made))) {}
+  /// That of a later epoch; null: the first one again.
+  SharedModel(const SharedModel& first, std::shared_ptr<const Model> later)
+      : busy(first.busy), setup_(first.setup_), later_(std::move(later)) {}
+
+  const Model& model() const { return later_ ? *later_ : *setup_->model; }
+  const Setup& setup() const { return *setup_; }  ///< with the model of the first epoch
+
+  Counters counters;  // of what is asked of its system
+  /// A callback of a run may ask its model.
+  std::shared_ptr<std::recursive_mutex> busy = std::make_shared<std::recursive_mutex>();
+
+private:
+  std::shared_ptr<const Setup> setup_;
+  std::shared_ptr<const Model> later_;
 };
 
 /// Python functions live as long as the process, for registries are emptied after the interpreter's
@@ -58,7 +71,7 @@ struct Immortal {
 template <class Action>
 auto with_model(SharedModel& model, Action&& action) {
   const py::gil_scoped_release without_interpreter;
-  const std::scoped_lock alone(model.busy);
+  const std::scoped_lock alone(*model.busy);
   return action();
 }
 

@@ -120,7 +120,7 @@ void add_state(py::module_& module) {
 }
 
 void require_state(const SharedModel& model, const State& state) {
-  const auto size = static_cast<std::size_t>(model.setup.model->system().structure().size);
+  const auto size = static_cast<std::size_t>(model.model().system().structure().size);
   if (state.y.size() != size || state.ydot.size() != size)
     throw InputError("a state of " + std::to_string(state.y.size()) + " unknowns, expected " +
                      std::to_string(size));
@@ -129,7 +129,7 @@ void require_state(const SharedModel& model, const State& state) {
 py::dict fields(SharedModel& model, const State& state) {
   require_state(model, state);
   py::dict result;
-  for (GridField& field : with_model(model, [&] { return model.setup.model->fields(state); })) {
+  for (GridField& field : with_model(model, [&] { return model.model().fields(state); })) {
     const py::ssize_t rows = field.values.size() / field.components;
     result[py::str(field.name)] =
         field.components == 1
@@ -141,14 +141,14 @@ py::dict fields(SharedModel& model, const State& state) {
 
 py::object contact(SharedModel& model, const State& state) {
   require_state(model, state);
-  const auto surface = with_model(model, [&] { return model.setup.model->contact(state); });
+  const auto surface = with_model(model, [&] { return model.model().contact(state); });
   return surface ? py::object(dict_of(*surface)) : py::object(py::none());
 }
 
 py::list blocks(const SharedModel& model) {
   using namespace py::literals;
   py::list result;
-  for (const BlockSize& block : model.setup.model->blocks)
+  for (const BlockSize& block : model.model().blocks)
     result.append(py::dict("name"_a = block.name, "symbol"_a = block.symbol, "size"_a = block.size,
                            "where"_a = block.where));
   return result;
@@ -166,10 +166,10 @@ void add_model(py::module_& module) {
            })),
            py::arg("scene"))
       .def_property_readonly("_scene",
-                             held([](const SharedModel& model) { return model.setup.scene; }))
-      .def_property_readonly(
-          "remarks", held([](const SharedModel& model) { return model.setup.model->remarks; }),
-          "What was noticed before the start, as text.")
+                             held([](const SharedModel& model) { return model.setup().scene; }))
+      .def_property_readonly("remarks",
+                             held([](const SharedModel& model) { return model.model().remarks; }),
+                             "What was noticed before the start, as text.")
       .def_property_readonly("blocks", held(blocks),
                              "The unknown blocks: name, symbol, size and where they are.")
       .def_property_readonly(
@@ -177,27 +177,27 @@ void add_model(py::module_& module) {
           "The equations, a System.")
       .def_property_readonly(
           "error_scale",
-          held([](const SharedModel& model) { return model.setup.model->differential_scale; }),
+          held([](const SharedModel& model) { return model.model().differential_scale; }),
           "Typical size of the differential unknowns, the wear depth [mm]: by default "
           "integrator.atol is integrator.rtol times it.")
       .def("start", held([](SharedModel& model) {
              return with_model(model, [&] {
                Counters counters;
-               return model.setup.model->start(counters);
+               return model.model().start(counters);
              });
            }),
            "The consistent State at t = 0.")
       .def("observe", held([](SharedModel& model, const State& state) {
              require_state(model, state);
-             return dict_of(with_model(model, [&] { return model.setup.model->observe(state); }));
+             return dict_of(with_model(model, [&] { return model.model().observe(state); }));
            }),
            py::arg("state"), "The scalars of a state.")
-      .def("grid", held([](const SharedModel& model) { return dict_of(model.setup.model->grid); }),
+      .def("grid", held([](const SharedModel& model) { return dict_of(model.model().grid); }),
            "Points [n, 3] and cells [m, corners], or None.")
       .def("fields", held(fields), py::arg("state"), "Fields over the grid.")
       .def("contact", held(contact), py::arg("state"), "The contact surface, or None.")
       .def("exact", held([](SharedModel& model, double t) {
-             const auto& exact = model.setup.model->exact;
+             const auto& exact = model.model().exact;
              return with_model(model, [&] { return exact ? exact(t) : std::nullopt; });
            }),
            py::arg("t"), "The State in closed form (differential components), or None.");

@@ -5,6 +5,7 @@
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/run/run.hpp>
+#include <gnomon/run/run_steps.hpp>
 #include <gnomon/run/summary.hpp>
 
 #include "bindings.hpp"
@@ -46,6 +47,12 @@ struct StepView {
 
 namespace {
 
+/// The model of the start of its scene, where runs begin.
+Shared at_start(const Shared& model) {
+  if (&model->model() == model->setup().model.get()) return model;
+  return std::make_shared<SharedModel>(*model, nullptr);
+}
+
 /// The hooks of one run; what a callback or a signal raises ends the run and is raised after it.
 class Callbacks {
 public:
@@ -56,7 +63,11 @@ public:
   RunHooks hooks() {
     RunHooks hooks{.on_step = [this](const HistoryRow& row) { step(row); },
                    .interrupted = [this] { return interrupted(); }};
-    if (!on_step_.is_none()) hooks.on_state = [this](const State& state) { state_ = state; };
+    if (on_step_.is_none()) return hooks;
+    hooks.on_state = [this](const State& state) { state_ = state; };
+    hooks.on_epoch = [this](const std::shared_ptr<const Model>& later) {
+      model_ = std::make_shared<SharedModel>(*model_, later);
+    };
     return hooks;
   }
   void raise_if_raised() {
@@ -102,10 +113,10 @@ private:
 py::dict run_model(const Shared& model, const std::optional<fs::path>& result, bool force,
                    const py::object& on_step) {
   using namespace py::literals;
-  const Setup& setup = model->setup;
+  const Setup& setup = model->setup();
   const RunHeader header = run_header(setup);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
-  Callbacks callbacks(model, on_step);
+  Callbacks callbacks(at_start(model), on_step);
   const RunOutcome outcome = with_model(*model, [&] {
     std::optional<ResultWriter> writer;
     if (result)
@@ -115,17 +126,16 @@ py::dict run_model(const Shared& model, const std::optional<fs::path>& result, b
                writer ? &*writer : nullptr, callbacks.hooks());
   });
   callbacks.raise_if_raised();
-  const std::optional<ContactSurface> surface = with_model(*model, [&] {
-    const Model& last = outcome.successor ? *outcome.successor : *setup.model;
-    return outcome.state ? last.contact(*outcome.state) : std::nullopt;
-  });
+  const auto last = std::make_shared<SharedModel>(*model, outcome.successor);
+  const std::optional<ContactSurface> surface = with_model(
+      *model, [&] { return outcome.state ? last->model().contact(*outcome.state) : std::nullopt; });
   const std::string summary =
       summary_json(setup.scene, header, settings, outcome, setup.model->remarks);
   return py::dict("status"_a = outcome.text().substr(0, outcome.text().find(':')),
                   "diagnosis"_a = outcome.diagnosis, "warnings"_a = outcome.warnings,
                   "counters"_a = dict_of(outcome.counters), "wall_seconds"_a = outcome.wall_seconds,
                   "summary"_a = summary, "history"_a = dict_of_rows(callbacks.rows()),
-                  "state"_a = outcome.state,
+                  "state"_a = outcome.state, "model"_a = last,
                   "surface"_a = surface ? py::object(dict_of(*surface)) : py::object(py::none()));
 }
 
@@ -134,31 +144,32 @@ py::dict run_model(const Shared& model, const std::optional<fs::path>& result, b
 /// A run that the caller drives.
 class Steps {
 public:
-  explicit Steps(Shared model) : model_(std::move(model)) {
-    const Setup& setup = model_->setup;
-    settings_ = integrator_settings(setup.scene, *setup.model);
+  explicit Steps(const Shared& model) : model_(at_start(model)) {
+    const Setup& setup = model_->setup();
+    const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
+    end_ = settings.end;
     with_model(*model_, [&] {
-      settings_.integrand = setup.model->wear_flux;
-      state_ = setup.model->start(counters_);
-      stepper_ = chosen_integrator(setup.scene).make(setup.model->system(), settings_, counters_);
+      steps_ = std::make_unique<RunSteps>(*setup.model, chosen_integrator(setup.scene), settings);
     });
+    follow();
   }
   ~Steps() {
     const py::gil_scoped_release without_interpreter;
-    const std::scoped_lock alone(model_->busy);
-    stepper_.reset();
+    const std::scoped_lock alone(*model_->busy);
+    steps_.reset();
   }
 
   py::dict advance(std::optional<double> until) {
     using namespace py::literals;
-    const double t_stop = until.value_or(settings_.end);
+    const double t_stop = until.value_or(end_);
     // Another thread may have taken a step until the turn of this one comes.
     const StepReport report = with_model(*model_, [&] {
-      if (!(t_stop > state_.t && t_stop <= settings_.end))
+      if (!(t_stop > steps_->state().t && t_stop <= end_))
         throw InputError(fmt::format("until = {}: expected a time after {} and not after time.end",
-                                     t_stop, state_.t));
-      return stepper_->advance(state_, t_stop);
+                                     t_stop, steps_->state().t));
+      return steps_->advance(t_stop);
     });
+    follow();
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     return py::dict("step"_a = report.step, "order"_a = report.order,
                     "newton_iterations"_a = report.newton_iterations,
@@ -166,19 +177,24 @@ public:
                     "wear"_a = report.integral);
   }
   State state() const {
-    return with_model(*model_, [&] { return state_; });
+    return with_model(*model_, [&] { return steps_->state(); });
   }
   Counters counters() const {
-    return with_model(*model_, [&] { return counters_; });
+    return with_model(*model_, [&] { return steps_->counters(); });
   }
   const Shared& model() const { return model_; }
 
 private:
+  /// The model of the present epoch is that of the state.
+  void follow() {
+    const std::shared_ptr<const Model> later = steps_->successor();
+    if (later && later.get() != &model_->model())
+      model_ = std::make_shared<SharedModel>(*model_, later);
+  }
+
   Shared model_;
-  IntegratorSettings settings_;
-  Counters counters_;
-  State state_;
-  std::unique_ptr<Stepper> stepper_;
+  double end_ = 0;
+  std::unique_ptr<RunSteps> steps_;
 };
 
 void add_runs(py::module_& module) {
@@ -201,7 +217,7 @@ void add_runs(py::module_& module) {
                              "The State at its end.")
       .def_property_readonly("surface", held([](const StepView& step) -> py::object {
                                const auto surface = with_model(*step.model, [&] {
-                                 return step.model->setup.model->contact(step.state);
+                                 return step.model->model().contact(step.state);
                                });
                                if (!surface) return py::none();
                                return dict_of(*surface);
@@ -216,7 +232,8 @@ void add_runs(py::module_& module) {
            "Takes one accepted step, which ends at `until` (default: time.end) at the latest.")
       .def_property_readonly("state", held([](const Steps& steps) { return steps.state(); }),
                              "The State at the end of the last step.")
-      .def_property_readonly("model", held(&Steps::model), "Its Model.")
+      .def_property_readonly("model", held(&Steps::model),
+                             "The Model of its state, another one where contact has grown.")
       .def_property_readonly("counters",
                              held([](const Steps& steps) { return dict_of(steps.counters()); }),
                              "Work so far, by name.");

@@ -18,7 +18,7 @@ const System& SystemHandle::system() const {
     parent_->system();  // its run may have ended
     return *stage_->system;
   }
-  if (owner_) return owner_->setup.model->system();
+  if (owner_) return owner_->model().system();
   if (!system_) throw Error("the run that this system belongs to has ended");
   return *system_;
 }

@@ -87,7 +87,10 @@ private:
 
   void start() {
     state() = model().start(counters_);
-    if (epochs_.replace_overdue(state())) watch_model();
+    if (epochs_.replace_overdue(state())) {
+      watch_model();
+      hooks_.on_epoch(epochs_.successor());
+    }
     Observation observed = steps_.observe({});
     if (policy_.until) excess(*policy_.until, observed);  // refuses an unknown one
     record({}, std::move(observed));
@@ -180,6 +183,7 @@ private:
     std::optional<Epochs::Change> change = epochs_.succeed(state());
     if (!change) return;
     watch_model();
+    hooks_.on_epoch(epochs_.successor());
     if (!change->same_unknowns) {
       memory_.chattering = {};
       memory_.chattering.add(model().contact(state()));

@@ -171,3 +171,38 @@ def test_a_plan_is_a_scene_and_comes_from_one():
     for ask in (gnomon.plan, gnomon.budget):
         with pytest.raises(TypeError, match="expected a gnomon.Scene, got Model"):
             ask(gnomon.Model(gnomon.Scene.example("winkler/pin.toml")))
+
+
+def growing():
+    """Contact grows over boundary beside wear.on, which is met in later epochs."""
+    points, cells, facets = block(24, 4)
+    top = facets.pop("surface")
+    facets |= {"surface": top[10:14], "beside": numpy.vstack([top[:10], top[14:]])}
+    text = scene().to_dict()
+    text.pop("cycle"), text.pop("load")
+    text |= {"counter_body": {"shape": "cylinder", "radius": 4, "center": [0, 4], "motion.velocity": [500, 0],
+                              "press": {"direction": [0, -1], "force": 0.2, "times": [0, 10, 50],
+                                        "factors": [1, 1, 200]}},
+             "body": {"young_modulus": 1e3, "poisson_ratio": 0.3, "material": "linear"},
+             "wear": {"on": ["surface"], "coefficient": 0},
+             "integrator": {"name": "esdirk-3", "rtol": 1e-3}}
+    return gnomon.assemble(gnomon.Scene.from_dict(text), points, cells, facets)
+
+
+def test_models_of_later_epochs_are_those_of_their_states():
+    model, seen = growing(), []
+
+    def look(step):
+        surface = step.surface
+        seen.append((surface["pressure"].size, surface["pressure"].max(), step.scalars["max_pressure"]))
+    outcome = gnomon.run(model, on_step=look)
+    assert seen[-1][0] > seen[0][0]
+    assert [largest for _, largest, _ in seen] == pytest.approx([observed for _, _, observed in seen], rel=1e-9)
+    last = outcome.model.observe(outcome.state)
+    assert last["max_pressure"] == outcome.history["max_pressure"][-1]
+
+    stepper = gnomon.Stepper(model)
+    while stepper.state.t < 50:
+        stepper.advance()
+    assert stepper.model.observe(stepper.state)["max_pressure"] == pytest.approx(last["max_pressure"], rel=1e-6)
+    assert gnomon.Stepper(stepper.model).state.y.size == model.start().y.size

@@ -102,6 +102,9 @@ struct EndJudgement {
 struct RunHooks {
   /// Called after the start and after every step.
   std::function<void(const HistoryRow&)> on_step = [](const HistoryRow&) {};
+  /// Called with the model of every epoch but the first, before its states.
+  std::function<void(const std::shared_ptr<const Model>&)> on_epoch =
+      [](const std::shared_ptr<const Model>&) {};
   /// Called with the state before each of these calls.
   std::function<void(const State&)> on_state = [](const State&) {};
   /// Called with each of RunOutcome::warnings when it arises.

@@ -1,0 +1,70 @@
+#include <gnomon/run/run_steps.hpp>
+#include <utility>
+
+#include "run/bounded_steps.hpp"
+
+namespace gnomon {
+
+struct RunSteps::Parts {
+  Parts(const Model& first, const Integrator& integrator, IntegratorSettings given)
+      : settings(std::move(given)),
+        epochs(first),
+        steps(integrator, settings, until, epochs, observed, memory, counters) {}
+
+  /// Where the model is followed by another one.
+  void begin_epoch() {
+    const std::optional<Epochs::Change> change = epochs.succeed(memory.state);
+    if (!change) return;
+    watch_model();
+    steps.follow(change->same_unknowns);
+  }
+  void watch_model() {
+    settings.integrand = epochs.model().wear_flux;
+    settings.behind_jump = epochs.model().behind_jump;
+  }
+
+  IntegratorSettings settings;
+  Epochs epochs;
+  std::optional<Until> until;  // none
+  Observation observed;
+  RunMemory memory;
+  Counters counters;
+  BoundedSteps steps;
+  std::optional<Limit> limit;  // at which the last step has ended
+};
+
+RunSteps::RunSteps(const Model& model, const Integrator& integrator, IntegratorSettings settings)
+    : parts_(std::make_unique<Parts>(model, integrator, std::move(settings))) {
+  Parts& of = *parts_;
+  of.memory.state = model.start(of.counters);
+  of.epochs.replace_overdue(of.memory.state);
+  of.watch_model();
+  if (const Model& present = of.epochs.model(); present.overdue && present.overdue(of.memory.state))
+    of.begin_epoch();
+  of.observed = of.steps.observe({});
+  of.steps.begin();
+}
+
+RunSteps::~RunSteps() = default;
+
+StepReport RunSteps::advance(double stop) {
+  Parts& of = *parts_;
+  if (of.limit) throw at_limit(of.memory.state.t, *of.limit);
+  BoundedStep step = of.steps.advance(stop, [] { return false; });
+  of.observed = std::move(step.observed);
+  of.limit = std::move(step.limit);
+  of.begin_epoch();
+  return step.report;
+}
+
+const State& RunSteps::state() const {
+  return parts_->memory.state;
+}
+const Counters& RunSteps::counters() const {
+  return parts_->counters;
+}
+std::shared_ptr<const Model> RunSteps::successor() const {
+  return parts_->epochs.successor();
+}
+
+}  // namespace gnomon
