@@ -166,9 +166,11 @@ std::vector<Key> stressed_body_keys() {
       real_key("body.poisson_ratio", "", absent("no stress"), poisson_ratios, "Poisson's ratio nu"),
       real_key("load.stress", "MPa", by_default(0.0), any_quantity,
                "sigma, along the flat surface; its strain is held from the start on"),
-      integers_key("mesh.elements", required(), {.min = 2, .max = 2000},
-                   "along half a wave and in depth, or along an eighth of the circle and in layers",
-                   2),
+      controlling_by_count(
+          integers_key("mesh.elements", required(), {.min = 2, .max = 2000},
+                       "along half a wave and in depth, or along an eighth of the circle and in "
+                       "layers",
+                       2)),
       real_key("mesh.depth", "", by_default(1.0), {.min = 0.1, .max = 100},
                "depth of the half-plane, in wave lengths"),
       real_key("mesh.grading", "", by_default(8.0), {.min = 1, .max = 1e4, .min_open = true},

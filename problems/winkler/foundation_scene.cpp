@@ -164,14 +164,27 @@ std::shared_ptr<Foundation> foundation_of(const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+/// The springs as many times as far from each other.
+std::optional<Scene> with_spacing(const Scene& scene, double factor) {
+  const auto spaces = static_cast<double>(scene.integer("foundation.points") - 1);
+  const long points = std::lround(spaces / factor) + 1;
+  if (points < 3 || points > 1000000) return {};
+  return scene.with("foundation.points", points);
+}
+
+}  // namespace
+
 std::vector<Key> foundation_keys() {
   std::vector<Key> result = {
       length_key("pin.radius", "radius of curvature R of the pin's surface y = x^2/(2R)"),
       length_key("pin.width", "width L of the pin"),
       real_key("foundation.modulus", "MPa/mm", required(), positive_quantity,
                "modulus K_w of the springs: pressure per unit of compression"),
-      integer_key("foundation.points", by_default(401L), {.min = 3, .max = 1000000},
-                  "number of springs over the width, both ends included")};
+      controlling(integer_key("foundation.points", by_default(401L), {.min = 3, .max = 1000000},
+                              "number of springs over the width, both ends included"),
+                  ErrorSource::mesh, with_spacing)};
   for (const Key& key : phase_keys()) result.push_back(key);
   for (const Key& key : worn_body_keys(2))
     if ((key.name.starts_with("wear.") || key.name.starts_with("tables.")) &&

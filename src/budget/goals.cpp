@@ -93,7 +93,8 @@ bool several_touch(const Goals& goals) {
 }  // namespace
 
 long nodes_of(const Model& model) {
-  return model.grid ? static_cast<long>(model.grid->points.size()) : 0;
+  return model.grid ? static_cast<long>(model.grid->points.size())
+                    : model.system().structure().size;
 }
 
 std::optional<Goals> goals_of(const Model& model, const State& state, const Observation& observed) {
@@ -126,10 +127,11 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   if (const auto bound = value_of(observed, "contact_area_error"); bound && !in_plane && size > 0)
     goals.area = (goals.surface.dim == 2 ? 0.5 : 0.25) * *bound / size;
   if (in_plane) add_edge_pressure(size, observed, goals);
-  if (const auto force = value_of(observed, "contact_force"))
+  if (const auto force = value_of(observed, "contact_force")) {
     goals.values.push_back({"mean_pressure", "MPa", size > 0 ? *force / size : 0});
-  goals.values.push_back(
-      {"inner_pressure", "MPa", inner_norm(goals.surface.pressure, goals.inner)});
+    goals.values.push_back(
+        {"inner_pressure", "MPa", inner_norm(goals.surface.pressure, goals.inner)});
+  }
   add("max_pressure");
   add("approach");
   for (Scalar scalar : observed) {

@@ -40,7 +40,6 @@ namespace {
 
 /// By elements of half the size: as a power of two.
 double nodes_added(const Goals& coarse, const Goals& fine) {
-  if (coarse.nodes == 0) return fine.surface.dim;
   return std::log2(static_cast<double>(fine.nodes) / static_cast<double>(coarse.nodes));
 }
 

@@ -110,6 +110,22 @@ TEST(Budget, OfWearAsAGapIsTheDifferenceToTheMovingMesh) {
 }
 
 // Hertz: as above, on a mesh that is given, whose cells are split.
+TEST(Budget, OfSpringsIsTheErrorAgainstMoreOfThem) {
+  const Budget budget = budget_of("winkler/pin.toml", {"foundation.points=41"}),
+               reference = budget_of("winkler/pin.toml", {"foundation.points=801"});
+  expect_effectivity(
+      total(budget, "max_pressure"),
+      std::abs(value(budget, "max_pressure") / value(reference, "max_pressure") - 1));
+}
+
+// A quarter of a disc whose radius shrinks from 2 mm to its half.
+TEST(Budget, OfAStressedSurfaceIsTheErrorOfItsPolygon) {
+  const Budget budget = budget_of("stressed_surface/circle.toml");
+  expect_effectivity(total(budget, "worn_volume"),
+                     std::abs(value(budget, "worn_volume") / (M_PI / 4 * 0.75) - 1));
+  EXPECT_EQ(std::ranges::find(budget.values, "inner_pressure", &Scalar::name), budget.values.end());
+}
+
 TEST(Budget, OfAMeshThatIsGivenIsTheErrorAgainstHertz) {
   const std::filesystem::path mesh = std::filesystem::path(::testing::TempDir()) / "given.msh";
   std::filesystem::remove(mesh);

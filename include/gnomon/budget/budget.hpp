@@ -18,7 +18,7 @@ inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 /// What a run is made for: numbers of its end, and the worn surface.
 struct Goals {
   double time = 0;      ///< end of the run [s]
-  long nodes = 0;       ///< of the mesh; 0 without one
+  long nodes = 0;       ///< of the mesh; without one, unknowns
   double ledger = 0;    ///< |wear_difference| as a part of worn_volume
   double nonzeros = 0;  ///< of its Jacobian
   /// Of bodies of revolution and in space: what the last closed nodes leave open of contact_area,
