@@ -149,7 +149,8 @@ public:
     const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
     end_ = settings.end;
     with_model(*model_, [&] {
-      steps_ = std::make_unique<RunSteps>(*setup.model, chosen_integrator(setup.scene), settings);
+      steps_ = std::make_unique<RunSteps>(*setup.model, chosen_integrator(setup.scene), settings,
+                                          store_policy(setup.scene).until);
     });
     follow();
   }
@@ -164,7 +165,7 @@ public:
     const double t_stop = until.value_or(end_);
     // Another thread may have taken a step until the turn of this one comes.
     const StepReport report = with_model(*model_, [&] {
-      if (!(t_stop > steps_->state().t && t_stop <= end_))
+      if (!steps_->ended() && !(t_stop > steps_->state().t && t_stop <= end_))
         throw InputError(fmt::format("until = {}: expected a time after {} and not after time.end",
                                      t_stop, steps_->state().t));
       return steps_->advance(t_stop);
@@ -175,6 +176,9 @@ public:
                     "newton_iterations"_a = report.newton_iterations,
                     "restarted"_a = report.restarted, "switched"_a = report.switched,
                     "wear"_a = report.integral);
+  }
+  bool ended() const {
+    return with_model(*model_, [&] { return steps_->ended(); });
   }
   State state() const {
     return with_model(*model_, [&] { return steps_->state(); });
@@ -230,6 +234,8 @@ void add_runs(py::module_& module) {
       .def(py::init<Shared>(), py::arg("model"))
       .def("advance", held(&Steps::advance), py::arg("until") = py::none(),
            "Takes one accepted step, which ends at `until` (default: time.end) at the latest.")
+      .def_property_readonly("ended", held([](const Steps& steps) { return steps.ended(); }),
+                             "Whether time.end, or time.until, is reached.")
       .def_property_readonly("state", held([](const Steps& steps) { return steps.state(); }),
                              "The State at the end of the last step.")
       .def_property_readonly("model", held(&Steps::model),

@@ -42,6 +42,7 @@ BoundedStep BoundedSteps::advance(double stop, const std::function<bool()>& inte
   step.observed = observe(step.report);
   if (model().overdue) come_near(step);
   if (model().limit) stop_short(step);
+  stop_before_hole(step);
   if (until_) end_early(step);
   return step;
 }
@@ -85,6 +86,20 @@ void BoundedSteps::stop_short(BoundedStep& step) {
   throw at_limit(state().t, *step.limit);
 }
 
+/// Repeats a step that wears a body through, with an end shortly before.
+void BoundedSteps::stop_before_hole(BoundedStep& step) {
+  constexpr int most = 20;
+  constexpr double shortly = 0.998, thin = 0.01;  // parts of the step, and of the thickness
+  const double before = value_of(last_, "thickness_left").value_or(1);
+  const auto left = [&] { return value_of(step.observed, "thickness_left").value_or(1); };
+  if (left() > 0) return;
+  for (int i = 0; i < most && left() <= 0; ++i)
+    repeat(step,
+           step.before.t + shortly * before / (before - left()) * (state().t - step.before.t));
+  if (left() > 0 && left() < thin)
+    step.limit = {"a body is worn through: wear takes all its thickness at a node"};
+}
+
 /// Repeats a step that goes beyond time.until, with an end there. A method of several steps begins
 /// again with small ones, and goes on to that end.
 void BoundedSteps::end_early(BoundedStep& step) {
@@ -97,8 +112,8 @@ void BoundedSteps::end_early(BoundedStep& step) {
     if (part >= 1) break;
     early_end_ = step.before.t + part * size;
     repeat(step, early_end_);
+    step.limit = model().limit ? model().limit(state()) : std::nullopt;  // of the shorter step
   }
-  if (step.limit) step.limit = model().limit(state());  // the step may be a shorter one
 }
 
 }  // namespace gnomon

@@ -62,6 +62,7 @@ private:
   }
   void come_near(BoundedStep& step);
   void stop_short(BoundedStep& step);
+  void stop_before_hole(BoundedStep& step);
   void end_early(BoundedStep& step);
 
   State& state() { return memory_.state; }

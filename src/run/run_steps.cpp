@@ -1,14 +1,19 @@
+#include <fmt/format.h>
+
 #include <gnomon/run/run_steps.hpp>
 #include <utility>
 
 #include "run/bounded_steps.hpp"
+#include "run/store_schedule.hpp"
 
 namespace gnomon {
 
 struct RunSteps::Parts {
-  Parts(const Model& first, const Integrator& integrator, IntegratorSettings given)
+  Parts(const Model& first, const Integrator& integrator, IntegratorSettings given,
+        std::optional<Until> early)
       : settings(std::move(given)),
         epochs(first),
+        until(std::move(early)),
         steps(integrator, settings, until, epochs, observed, memory, counters) {}
 
   /// Where the model is followed by another one.
@@ -25,7 +30,7 @@ struct RunSteps::Parts {
 
   IntegratorSettings settings;
   Epochs epochs;
-  std::optional<Until> until;  // none
+  std::optional<Until> until;
   Observation observed;
   RunMemory memory;
   Counters counters;
@@ -33,8 +38,9 @@ struct RunSteps::Parts {
   std::optional<Limit> limit;  // at which the last step has ended
 };
 
-RunSteps::RunSteps(const Model& model, const Integrator& integrator, IntegratorSettings settings)
-    : parts_(std::make_unique<Parts>(model, integrator, std::move(settings))) {
+RunSteps::RunSteps(const Model& model, const Integrator& integrator, IntegratorSettings settings,
+                   std::optional<Until> until)
+    : parts_(std::make_unique<Parts>(model, integrator, std::move(settings), std::move(until))) {
   Parts& of = *parts_;
   of.memory.state = model.start(of.counters);
   of.epochs.replace_overdue(of.memory.state);
@@ -42,6 +48,7 @@ RunSteps::RunSteps(const Model& model, const Integrator& integrator, IntegratorS
   if (const Model& present = of.epochs.model(); present.overdue && present.overdue(of.memory.state))
     of.begin_epoch();
   of.observed = of.steps.observe({});
+  if (of.until) excess(*of.until, of.observed);  // refuses an unknown one
   of.steps.begin();
 }
 
@@ -49,12 +56,20 @@ RunSteps::~RunSteps() = default;
 
 StepReport RunSteps::advance(double stop) {
   Parts& of = *parts_;
+  if (ended())
+    throw InputError(fmt::format("t = {}: expected no further step after {}", state().t,
+                                 of.until ? "time.until or time.end" : "time.end"));
   if (of.limit) throw at_limit(of.memory.state.t, *of.limit);
   BoundedStep step = of.steps.advance(stop, [] { return false; });
   of.observed = std::move(step.observed);
   of.limit = std::move(step.limit);
   of.begin_epoch();
   return step.report;
+}
+
+bool RunSteps::ended() const {
+  const Parts& of = *parts_;
+  return state().t >= of.settings.end || (of.until && excess(*of.until, of.observed) >= 0);
 }
 
 const State& RunSteps::state() const {

@@ -206,3 +206,34 @@ def test_models_of_later_epochs_are_those_of_their_states():
         stepper.advance()
     assert stepper.model.observe(stepper.state)["max_pressure"] == pytest.approx(last["max_pressure"], rel=1e-6)
     assert gnomon.Stepper(stepper.model).state.y.size == model.start().y.size
+
+
+# 0.05 mm/s of 1 mm.
+@pytest.mark.parametrize("integrator", [{"name": "esdirk-3", "rtol": 1e-7}, {"name": "bdf", "rtol": 1e-3},
+                                        {"name": "backward-euler", "step": 7}])
+def test_what_wears_through_ends_when_it_does(integrator):
+    text = {"problem": "worn_body", "body": {"young_modulus": 1e3, "poisson_ratio": 0.0, "material": "linear"},
+            "support": [{"on": "bottom"}], "wear": {"on": ["surface"], "coefficient": 1e-5}, "shape.motion": "gap",
+            "counter_body": {"shape": "plane", "normal": [0, -1], "point": [0, 0], "motion.velocity": [500, 0],
+                             "press": {"direction": [0, -1], "force": 20}},
+            "friction.coefficient": 0, "time.end": 60, "integrator": integrator}
+    points, cells, facets = block(6, 3)
+    model = gnomon.assemble(gnomon.Scene.from_dict(text), points, cells, facets)
+    ended = gnomon.run(model, check=False)
+    assert "worn through" in ended.diagnosis
+    assert ended.history["t"][-1] == pytest.approx(20, rel=0.02)
+    assert 0 < ended.history["thickness_left"][-1] < 0.02
+    stepper = gnomon.Stepper(model)
+    with pytest.raises(gnomon.SolutionError, match="worn through"):
+        while not stepper.ended:
+            stepper.advance()
+
+
+def test_a_stepper_ends_as_its_run():
+    model = gnomon.assemble(scene({"time.until": "wear_depth > 1e-3"}), *block())
+    stepper = gnomon.Stepper(model)
+    while not stepper.ended:
+        stepper.advance()
+    assert stepper.state.t == gnomon.run(model).history["t"][-1] < 50
+    with pytest.raises(gnomon.InputError, match="no further step"):
+        stepper.advance()
