@@ -102,7 +102,7 @@ def test_step_by_step_is_the_same_run(springs):
     assert numpy.allclose(times[:5], outcome.history["t"][:5], rtol=1e-12)
     depth = stepper.model.observe(stepper.state)["worn_volume"]
     assert depth == pytest.approx(outcome.history["worn_volume"][-1], rel=1e-3)
-    with pytest.raises(gnomon.InputError, match="until"):
+    with pytest.raises(gnomon.InputError, match="no further step"):
         stepper.advance()
 
 
