@@ -70,14 +70,14 @@ struct Equations {
     const StressedBody& body = *of;
     FieldSet set;
     set.nodes = static_cast<int>(body.mesh.nodes.size());
-    const double density =
-        body.elastic ? body.stress * body.stress / body.elastic->young_modulus() : 0;
+    const double stress = std::abs(body.stress);
+    const double density = body.elastic ? stress * stress / body.elastic->young_modulus() : 0;
     int displacement = -1;
     if (body.elastic) {
       displacement = set.add({"displacement", "u", "all nodes", Role::stiffness});
-      fields.u = set.add(field_at_nodes<2>(
-          "displacement", body.displacement_fixed, displacement, body.stress * body.size,
-          body.stress / body.elastic->young_modulus() * body.size));
+      fields.u = set.add(field_at_nodes<2>("displacement", body.displacement_fixed, displacement,
+                                           stress * body.size,
+                                           stress / body.elastic->young_modulus() * body.size));
     }
     const int inside = set.add({"shape", "d", "nodes off the free surface", Role::extension});
     const int surface = set.add({.name = "free_surface",

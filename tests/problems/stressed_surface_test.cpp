@@ -122,6 +122,14 @@ TEST(StressedSurface, AWaveGrowsAtItsRate) {
   }
 }
 
+TEST(StressedSurface, AWaveUnderPressureGrowsAsUnderTension) {
+  const auto amplitude = [](const char* stress) {
+    const auto model = wave(0.5 * neutral, 12, {stress});
+    return observed(*model, run_model(*model, "esdirk-4", 0, 1e-5, 500).last(), "amplitude");
+  };
+  EXPECT_NEAR(amplitude("load.stress=-10") / amplitude("load.stress=10"), 1, 1e-6);
+}
+
 TEST(StressedSurface, ACircleShrinksAndItsLobesDecay) {
   const auto round = circle(2);
   const ModelRun run = run_model(*round, "esdirk-4", 0, 1e-6, 375);
