@@ -11,9 +11,9 @@
 namespace gnomon {
 
 /// The user has ended the search.
-class Interrupted : public SolutionError {
+class Interrupted : public Error {
 public:
-  using SolutionError::SolutionError;
+  using Error::Error;
 };
 
 /// Another size of elements makes the same mesh.

@@ -404,6 +404,16 @@ TEST_P(Signals, EndTheRunAfterTheStepWithAReadableResult) {
   EXPECT_EQ(json["status"], "interrupted");
 }
 
+TEST_P(Signals, EndAPlanAsARun) {
+  const pid_t child =
+      start({"plan", pin, "--set", "accuracy.within=0.001", "--set", "time.end=1e5"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  kill(child, GetParam());
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Signals, testing::Values(SIGINT, SIGTERM));
 
 // A batch system sends SIGTERM to all processes of a job, and a study that ends sends it to its
