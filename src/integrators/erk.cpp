@@ -65,8 +65,7 @@ private:
     from_ = state.t;
     if (!erk_)
       begin(state);
-    else if (is_breakpoint(system_.structure(), state.t) &&
-             pass_breakpoint(system_, settings_, counters_, nullptr, state))
+    else if (is_behind_jump_)
       restart(state, proposal_);  // ERKStep has kept the rate before the jump
     remembered_.clear();
     for (const int i : system_.structure().remembered) remembered_.push_back(state.y[i]);
@@ -111,6 +110,8 @@ private:
     const StepReport report{
         .step = t - state.t, .order = table_.order, .integral = sum_up(state, t - state.t)};
     state = whole_;
+    is_behind_jump_ = is_breakpoint(system_.structure(), state.t) &&
+                      pass_breakpoint(system_, settings_, counters_, nullptr, state);
     return report;
   }
 
@@ -276,6 +277,7 @@ private:
   double from_ = 0;                 // start of the step, on whose side of a jump its stages lie
   double proposal_;                 // size of the next attempt; 0 before the first adaptive step
   double step_ = 0;                 // size of this attempt, or more
+  bool is_behind_jump_ = false;     // since the last step, which has ended at it
   long rejected_ = 0;
   Guard guard_;
   // Destroyed in reverse: ERKStep before what it refers to, the context last.

@@ -172,6 +172,27 @@ TEST_F(Resume, GoesOnToALaterEnd) {
         << row.scalars[i].name;
 }
 
+/// A load that rises to its triple at t = 20, where the first run ends.
+class ResumeAtAJump : public test::FolderTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(ResumeAtAJump, GoesOnBehindIt) {
+  const Overrides all = {
+      "mesh.elements=[6,6]",        "load.times=[0,20,20,40]",
+      "load.factors=[0.3,0.3,1,1]", "time.end=20",
+      "integrator.rtol=1e-5",       std::string("integrator.name=") + GetParam()};
+  run_scene(pin, all, file("cut"));
+  const double force = 20, velocity = 1000, k = 1e-7;
+  const auto last = [&](const char* name) {
+    return *value_of(ResultReader(file("cut")).history().back().scalars, name);
+  };
+  EXPECT_NEAR(last("contact_force"), force, 1e-6);
+  ASSERT_EQ(resume(file("cut"), {}, 30.0), 0);
+  EXPECT_NEAR(last("wear_integral"), k * force * velocity * (0.3 * 20 + 10), 1e-5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, ResumeAtAJump,
+                         testing::Values("erk-3", "erk-4", "esdirk-3", "bdf"));
+
 // A longer run brings more of the boundary into reach, which the model of the result does not have.
 TEST_F(Resume, GoesOnToWhereMoreBoundaryIsInReach) {
   if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
