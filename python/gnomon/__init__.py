@@ -10,9 +10,9 @@
 """
 
 from gnomon._gnomon import (Error, InputError, Model, RecoverableError, SolutionError, State, Step, Stepper, System,
-                            __version__, installed, integrators, load_plugin, problems, versions, wear_laws)
+                            __version__, installed, integrators, problems, versions, wear_laws)
 from gnomon.accuracy import budget, plan
-from gnomon.extensions import register_integrator, register_wear_law
+from gnomon.extensions import load_plugin, register_integrator, register_wear_law
 from gnomon.parts import assemble
 from gnomon.results import Result
 from gnomon.runs import Outcome, run

@@ -1,7 +1,9 @@
-"""Integrators and wear laws written in Python."""
+"""Integrators and wear laws, written in Python or in plug-ins of C++."""
 
 import keyword
 import math
+import os
+import pathlib
 import re
 
 from gnomon import _gnomon
@@ -37,6 +39,16 @@ def _checked_constants(constants):
 
 
 _registered_constants = set()
+
+
+def load_plugin(file):
+    """Loads a plug-in in C++ (docs/library.md) for the rest of the process, and for the programs that it starts, as those
+    of a study, by the variable GNOMON_PLUGINS of its environment."""
+    _gnomon.load_plugin(file)
+    loaded = os.environ.get("GNOMON_PLUGINS", "")
+    name = str(pathlib.Path(file).absolute())
+    if name not in loaded.split(":"):
+        os.environ["GNOMON_PLUGINS"] = f"{loaded}:{name}".strip(":")
 
 
 def register_wear_law(name, rate, constants=None, help="a wear law in Python"):

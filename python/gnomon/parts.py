@@ -12,8 +12,8 @@ def assemble(scene, points, cells, facets=None, nodes=None, bodies=None):
     kind, their corners in the order of VTK: triangles or quadrilaterals, in space tetrahedra, hexahedra or wedges.
     Named groups are what the scene refers to by support.on, load.on, wear.on and body.name: `facets`
     {name: [k, corners]} of the boundary, `nodes` {name: [k]}, `bodies` {name: [k] numbers of cells}; one of booleans for
-    all nodes or cells does as well. Numbers begin at 0. The mesh is checked and repaired as one from a file is, and split (mesh.split); what was repaired is a warning.
-    The result of a run keeps the mesh, so that it can be resumed.
+    all nodes or cells does as well. Numbers begin at 0. The mesh is checked and repaired as one from a file is, and split
+    (mesh.split); what was repaired is a warning. The result of a run keeps the mesh, so that it can be resumed.
 
     >>> import gnomon
     >>> scene = gnomon.Scene.from_dict({

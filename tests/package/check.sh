@@ -148,6 +148,14 @@ PY
   printf 'scene = "%s"\nreference = "none"\n' "$cone" >cones.toml
   rm -rf cones
   "$gnomon" --plugin "$my" study cones.toml -o cones --quiet
+  local module python
+  module=$(find "$prefix" -type d -name dist-packages -o -type d -name site-packages | head -1)
+  python=$(sed -n 's/^_Python_EXECUTABLE:[^=]*=//p' "$build/CMakeCache.txt")
+  [[ -z $module ]] || PYTHONPATH=$module "$python" - "$my" <<'PY'
+import sys, gnomon
+gnomon.load_plugin(sys.argv[1])
+gnomon.study("cones.toml", "again")
+PY
   # A physics finds its headers in the installation (docs/integrators.md).
   c++ -std=c++20 -fsyntax-only -I"$prefix/include" -I/usr/include/eigen3 \
     "$source/problems/stressed_surface/stressed_surface.cpp"
