@@ -203,6 +203,11 @@ std::vector<std::string> doubts(const Examination& start, const Examination& end
         "so much less wears: wear.on may name it{}",
         end.unworn_force, start.unworn_force,
         end.gap_error ? ", or mesh motion, instead of a gap, carry it along" : ""));
+  if (end.few_nodes > 0)
+    found.push_back(
+        fmt::format("contact at the end is {} node{}: depths and pressures are those of this mesh, "
+                    "and mean little; it needs a finer one there",
+                    end.few_nodes, end.few_nodes == 1 ? "" : "s"));
   if (end.stick_area < shrunk * start.stick_area)
     found.push_back(fmt::format(
         "the contact that always sticks has shrunk from {:.3g} to {:.3g} [mm, in space mm^2]: its "

@@ -43,6 +43,20 @@ bool touches(const PhaseContact<dim>& phase) {
   return std::ranges::any_of(phase.nodes, &ContactNode<dim>::active);
 }
 
+/// Examination::few_nodes.
+template <int dim>
+int few_nodes(const std::vector<char>& carries, const std::vector<PhaseContact<dim>>& contacts) {
+  constexpr int most = dim == 2 ? 2 : 4;
+  int touching = 0, all = 0;
+  for (std::size_t c = 0; c < carries.size(); ++c) {
+    if (carries[c] == 0) continue;
+    ++all;
+    touching += std::ranges::any_of(
+        contacts, [c](const PhaseContact<dim>& phase) { return phase.nodes[c].active; });
+  }
+  return touching <= most && touching < all ? touching : 0;
+}
+
 template <int dim>
 std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
                                      const FieldValues<dim>& values,
@@ -241,6 +255,7 @@ Examination WearModel<dim>::examine(const State& state) const {
   facts.force = assembly().copies * assembly().scales.force;
   facts.size = Box<dim>::around(assembly().mesh.nodes).diagonal();
   facts.touches = std::ranges::any_of(contacts, touches<dim>);
+  facts.few_nodes = few_nodes<dim>(assembly().carries, contacts);
   facts.gap = std::numeric_limits<double>::infinity();
   for (const PhaseContact<dim>& phase : contacts)
     for (std::size_t c = 0; c < phase.nodes.size(); ++c)

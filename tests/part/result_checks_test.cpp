@@ -48,6 +48,13 @@ TEST(Doubts, EachFactHasItsSentenceWithTheFigure) {
   EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("do not touch anywhere")));
 }
 
+TEST(Doubts, AContactOfFewNodesIsToldOfAtTheEnd) {
+  Examination end = balanced();
+  end.few_nodes = 1;
+  EXPECT_THAT(doubts(end), ElementsAre());
+  EXPECT_THAT(doubts(balanced(), end), ElementsAre(HasSubstr("contact at the end is 1 node:")));
+}
+
 class BodyTurns : public PartScenes {};
 
 // The springs below carry the force at a distance e from their middle: angle = P e / (k L^3 / 12).

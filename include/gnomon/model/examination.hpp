@@ -123,6 +123,7 @@ struct Examination {
   double size = 0;         ///< of the bodies, from corner to corner [length]
   bool touches = true;     ///< some contact node, in some phase
   double gap = 0;          ///< the smallest of a contact node [length]
+  int few_nodes = 0;       ///< that touch, in some phase; 0 where they are more, or all of them
 };
 
 }  // namespace gnomon
