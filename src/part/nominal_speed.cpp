@@ -175,7 +175,8 @@ Meeting<dim> find_meeting(const Scene& scene, const std::vector<ContactPatch<dim
   Patches<dim> touching = first_touch<dim>(scene, other, all);
   // A ball that turns about the node where it touches slides where it will touch later.
   constexpr double nothing = 1e-9;
-  if (mean_speed<dim>(other, touching) <= nothing * mean_speed<dim>(other, all)) touching = all;
+  const double overall = mean_speed<dim>(other, all);
+  if (overall > 0 && mean_speed<dim>(other, touching) <= nothing * overall) touching = all;
   Place<dim> place = typical_place<dim>(other, touching);
   place.normal = counter_normal<dim>(other, place);
   Meeting<dim> meeting{rest, 0};

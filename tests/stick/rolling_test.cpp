@@ -1,6 +1,7 @@
 // Steady rolling: Carter's creepage, wear alike along the surface, limits, derivatives and
 // mistakes.
 #include <gnomon/checks/checks.hpp>
+#include <gnomon/model/wear_model.hpp>
 
 #include "stick/rolling_scenes.hpp"
 
@@ -146,7 +147,7 @@ Box(1) = {-0.4, -0.4, -0.4, 0.8, 0.8, 0.4};
 Transfinite Curve "*" = 9; Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
 Physical Surface("bottom") = {5}; Physical Surface("surface") = {6}; Physical Volume("box") = {1};
 )");
-  const auto box = [](const std::string& rolling) {
+  const auto box = [](const std::string& rolling, double x = 0) {
     return fmt::format(R"toml(problem = "worn_body"
 mesh.file = "box.geo"
 body = {{ young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }}
@@ -154,10 +155,10 @@ support = [ {{ on = "bottom" }} ]
 friction = {{ coefficient = 0.3 }}
 wear = {{ on = ["surface"], coefficient = 2.9e-8, surfaces = {{ surface = {{ path = 100.0 }} }} }}
 time.end = 1000.0
-counter_body = {{ shape = "ball", radius = 5.0, center = [0.0, 0.0, 5.0], press = {{ direction = [0.0, 0.0, -1.0], force = 400.0 }} }}
+counter_body = {{ shape = "ball", radius = 5.0, center = [{}, 0.0, 5.0], press = {{ direction = [0.0, 0.0, -1.0], force = 400.0 }} }}
 rolling = {{ velocity = [1000.0, 0.0, 0.0], {} }}
 )toml",
-                       rolling);
+                       x, rolling);
   };
   const auto guide = [&](const std::string& rolling) {
     const auto model = this->model(box(rolling));
@@ -174,6 +175,11 @@ rolling = {{ velocity = [1000.0, 0.0, 0.0], {} }}
   EXPECT_NEAR(sliding.norm() / (0.3 * 400), 1, 0.01);  // on the slopes of the ball
   EXPECT_NEAR(sliding[1] / sliding[0], 4.0 / 3, 0.02);
   EXPECT_GT(std::abs(spin[1]), 1);  // spin alone pushes sideways
+  // It is about the place where the ball touches, a node beside the middle of the surface.
+  const auto beside = this->model(box("spin = 2e-2", 0.1));
+  const Vector<3> centre =
+      dynamic_cast<const WearModel<3>&>(*beside).assembly().interface.rolling->centre;
+  EXPECT_LT((centre - Vector<3>(0.1, 0, 0)).norm(), 1e-9);
 }
 
 TEST_F(RollingScenes, ContactWhereNoMaterialComesFromIsToldOf) {
