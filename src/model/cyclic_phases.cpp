@@ -106,6 +106,7 @@ Phase<dim> phase_at(const CyclePoint& point, const CyclicMotion<dim>& motion,
   phase.counter_body.motion.reference += rest.position - phase.counter_body.position;
   for (const BodyCycle<dim>& body : motion.bodies) phase.places.push_back(body.at(tau));
   if (!phase.places.empty()) phase.counter_body.motion = sliding_of(motion, phase.places);
+  if (motion.cycle.rotation) phase.angle = phase.angle_before = motion.cycle.rotation->value(tau);
   if (motion.cycle.load) phase.load = motion.cycle.load->value(tau);
   if (motion.cycle.force) phase.force = motion.cycle.force->value(tau);
   apply_forces(motion, phase);
@@ -139,6 +140,8 @@ std::vector<Phase<dim>> path_phases(const std::vector<CyclePoint>& ends,
         phase_at({ends[p].position, (ends[p].weight + after) / 2}, motion, rest, force));
     phases.back().interval = ends[p].weight;
   }
+  for (std::size_t p = 0; p < phases.size(); ++p)
+    phases[p].angle_before = phases[p > 0 ? p - 1 : phases.size() - 1].angle;
   return phases;
 }
 

@@ -157,8 +157,29 @@ StickingFriction<dim> WornBodyEquations<dim>::friction_on_path(std::size_t p) co
   for (std::size_t c = 0; c < count; ++c)
     friction.before.push_back({p == 0 ? PartOfPlace{fields_[p].memory, static_cast<Eigen::Index>(c)}
                                       : part_of_place(p - 1, assembly_->contact_nodes[c].node)});
-  if (p > 0 && assembly_->pairs.empty()) friction.passed = carried(phases_[p - 1]);
   return friction;
+}
+
+/// Of a rigid partner, in a phase of a path.
+template <int dim>
+PathOfPartner<dim> WornBodyEquations<dim>::path_of_partner(std::size_t p) const {
+  const CounterBody<dim>& rest = assembly_->interface.partner;
+  const CycleAxis<dim>& axis = assembly_->cycle->motion.axis;
+  const Phase<dim>& phase = phases_[p];
+  PathOfPartner<dim> path;
+  if (assembly_->cycle->motion.cycle.rotation) {
+    path.spin = axis.spin;
+    path.centre = rest.position + axis.centre;
+  }
+  for (const Guide<dim>& guide : rest.guides)
+    if (guide.turns()) {
+      path.spin = guide.turn;
+      path.centre = rest.position + guide.centre;
+    }
+  path.now = {phase.counter_body.position - rest.position, phase.angle};
+  path.before.angle = phase.angle_before;
+  if (p > 0) path.before.moved = phases_[p - 1].counter_body.position - rest.position;
+  return path;
 }
 
 /// In steady rolling, after the material was upstream, by differences of second order.
@@ -211,9 +232,9 @@ TermFactory<dim> WornBodyEquations<dim>::contact_of(std::size_t p, double speed)
     return [contact, d = fields.d](const Numbering& n) {
       return std::make_unique<ContactTerm<dim>>(contact, d, n);
     };
-  StickState<dim> state{*friction, contact, carried(phases_[p])};
-  state.origin = of.interface.partner.position;
+  StickState<dim> state{*friction, contact};
   state.rolling = rolling;
+  if (of.interface.sticks) state.path = path_of_partner(p);
   if (of.interface.sticks && p > 0) state.q_before = fields_[p - 1].w;
   return [state, d = fields.d](const Numbering& n) {
     return std::make_unique<StickTerm<dim>>(state, d, n);

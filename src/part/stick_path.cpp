@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/integrators/integrator.hpp>
@@ -99,6 +100,18 @@ void require_closed_path(const Scene& scene, const Cycle& cycle, const CycleAxis
     refuse_path(scene, "a motion that ends where it begins; " + open.front());
 }
 
+/// Slip by the arc of a turn is found from its chord.
+template <int dim>
+void require_short_turns(const Scene& scene, const std::vector<Phase<dim>>& phases) {
+  constexpr double most = 3;  // less than half a turn
+  for (const Phase<dim>& phase : phases)
+    if (const double turn = std::abs(phase.angle - phase.angle_before); turn > most)
+      refuse(scene, "cycle.phases",
+             fmt::format("more phases: cycle.rotation turns by {:.3g} rad between two of them, and "
+                         "friction.stick needs less than {:g}",
+                         turn, most));
+}
+
 /// The number of phases, or given positions as extremes.
 std::vector<CyclePoint> points_of(const Scene& scene, std::vector<double> extremes) {
   const std::vector<double>& phases = scene.reals("cycle.phases");
@@ -137,6 +150,7 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
   const std::vector<double> extremes = extremes_of(functions);
   ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
   result.phases = path_phases(points_of(scene, extremes), motion, rest, force);
+  require_short_turns(scene, result.phases);
   require_forces(scene, result.phases, rest.guides.empty() ? "" : rest.guides.front().key, force);
   const auto asked = static_cast<double>(result.phases.size());
   if (scene.reals("cycle.phases").size() == 1 && asked > 2 * scene.reals("cycle.phases")[0])

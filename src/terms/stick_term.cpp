@@ -38,7 +38,7 @@ StickTerm<dim>::StickTerm(const StickState<dim>& state, FieldId d, const Numberi
   const ContactState<dim>& contact = state.contact;
   surfaces_.assign(contact.laws.size(), {contact.parameters, state.rho, state.share,
                                          d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0,
-                                         state.factor, state.rolling});
+                                         state.factor, state.path, state.rolling});
   for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].contact.wear = contact.laws[k];
   if (state.memory.s != FieldId::none) memory_numbers_ = numbering.nodal<dim>(state.memory.s);
   for (int c = 0; c < count(); ++c) {
@@ -89,11 +89,21 @@ std::vector<int> StickTerm<dim>::column_numbers(int c) const {
   return columns;
 }
 
-/// Of a row of s: u and s of its node in its direction, and q.
 template <int dim>
-std::vector<int> StickTerm<dim>::memory_columns(int c, int i) const {
-  std::vector<int> columns = {u_numbers_(state_.contact.patches[c].node, i), memory_numbers_(c, i)};
-  append(columns, q_numbers_);
+std::vector<int> StickTerm<dim>::memory_rows(int c) const {
+  std::vector<int> rows;
+  append_row(rows, memory_numbers_.row(c));
+  return rows;
+}
+
+/// Of the rows of s: what r depends on, q, u and the shape of its node, then s.
+template <int dim>
+std::vector<int> StickTerm<dim>::memory_columns(int c) const {
+  const int node = state_.contact.patches[c].node;
+  std::vector<int> columns = q_numbers_;
+  append_row(columns, u_numbers_.row(node));
+  append_row(columns, d_numbers_.row(node));
+  append_row(columns, memory_numbers_.row(c));
   return columns;
 }
 
@@ -102,9 +112,7 @@ void StickTerm<dim>::declare(TermStructure& structure) const {
   for (int c = 0; c < count(); ++c) {
     structure.pattern.add(row_numbers(c), column_numbers(c));
     declare_switches(state_.contact.patches[c].node, 2, parameters(c).contact.wear, structure);
-    if (!state_.is_last) continue;
-    for (int i = 0; i < dim; ++i)
-      structure.pattern.add({memory_numbers_(c, i)}, memory_columns(c, i));
+    if (state_.is_last) structure.pattern.add(memory_rows(c), memory_columns(c));
   }
   declare_times(state_.contact.laws, state_.contact.parameters.counter_body.guides, structure);
   append(structure.breakpoints, state_.factor.breakpoints());
@@ -116,9 +124,7 @@ void StickTerm<dim>::map_to(const SparsePattern& pattern) {
   memory_map_.clear();
   for (int c = 0; c < count(); ++c) {
     map_.push_back(pattern.positions(row_numbers(c), column_numbers(c)));
-    if (!state_.is_last) continue;
-    for (int i = 0; i < dim; ++i)
-      memory_map_.push_back(pattern.positions({memory_numbers_(c, i)}, memory_columns(c, i)));
+    if (state_.is_last) memory_map_.push_back(pattern.positions(memory_rows(c), memory_columns(c)));
   }
 }
 
@@ -155,14 +161,13 @@ StickInput<dim, Scalar> StickTerm<dim>::gather(const Evaluation<dim>& at, int c)
   input.contact.X = variable(X);
   input.contact.moment = {.time = at.t, .slid = contact.nominal_speed * at.t, .within = at.within};
   input.contact.clearance = contact.clearance(at);
-  input.carried = state_.carried.row(c).transpose();
   input.interval = state_.interval[c];
   input.rubs = !parts.empty();
-  input.arm = patch.initial_position - state_.origin;
   if (state_.passed.size() > 0)
     input.before -= state_.passed.row(c).transpose().template cast<Scalar>();
-  for (Eigen::Index k = 0; state_.q_before && k < q_before.size(); ++k)
-    input.before -= guides[k].carries(input.arm).template cast<Scalar>() * q_before[k];
+  if (!state_.q_before) return input;
+  const Vector<dim, Scalar> X_node = input.contact.X.row(0).transpose(), u_before = input.before;
+  input.before = state_.path.place(state_.path.before, guides, q_before, X_node, u_before);
   return input;
 }
 
@@ -217,7 +222,7 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
                                       branch(at, c));
   const Eigen::Index guides = input.contact.q.size(),
                      columns = input.contact.lambda.derivatives().size();
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(1 + 3 * dim + guides, columns);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(1 + 4 * dim + guides, columns);
   Eigen::Index row = 0;
   const auto put = [&](const Dual<dim>& value, double factor = 1) {
     if (value.derivatives().size() > 0) K.row(row) = factor * value.derivatives().transpose();
@@ -228,7 +233,25 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
   for (int i = 0; i < dim; ++i) put(met.constraint[i]);
   for (int i = 0; i < dim; ++i) put(met.contact.velocity[i], -weight(c));
   for (Eigen::Index k = 0; k < guides; ++k) put(met.contact.partner[k]);
+  for (int i = 0; i < dim; ++i) put(met.place[i]);
   return K;
+}
+
+/// Of the rows of s. `place_by`: derivatives of r by the columns of the node.
+template <int dim>
+void StickTerm<dim>::add_memory(const Evaluation<dim>& at, int c, double rate_weight,
+                                const Eigen::MatrixXd& place_by, std::span<double> values) const {
+  const auto guides = static_cast<Eigen::Index>(q_numbers_.size()),
+             shape = dim * static_cast<Eigen::Index>(state_.contact.patches[c].nodes.size());
+  Eigen::MatrixXd by(dim, guides + 3 * dim);
+  const double rate = 1 / state_.memory.period;
+  by << -rate * place_by.middleCols(1 + dim, guides),
+      -rate * place_by.middleCols(1 + dim + 2 * guides, dim),
+      -rate * place_by.middleCols(place_by.cols() - shape, dim),
+      state_.memory.by_s(at, c, rate_weight) * Tensor<dim>::Identity();
+  const std::vector<int>& map = memory_map_[static_cast<std::size_t>(c)];
+  for (std::size_t k = 0; k < map.size(); ++k)
+    if (map[k] >= 0) values[map[k]] += by.data()[k];
 }
 
 template <int dim>
@@ -236,21 +259,10 @@ void StickTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
                                   std::span<double> values) const {
   for (int c = 0; c < count(); ++c) {
     const Eigen::MatrixXd K = tangent(at, c);
+    const Eigen::MatrixXd own = K.topRows(K.rows() - dim);
     for (std::size_t k = 0; k < map_[c].size(); ++k)
-      if (map_[c][k] >= 0) values[map_[c][k]] += K.data()[k];
-    if (!state_.is_last) continue;
-    const double rate = 1 / state_.memory.period;
-    const auto& guides = state_.contact.parameters.counter_body.guides;
-    const Vector<dim> arm = state_.contact.patches[c].initial_position - state_.origin;
-    for (int i = 0; i < dim; ++i) {
-      const std::vector<int>& map = memory_map_[static_cast<std::size_t>(c * dim + i)];
-      const auto add = [&](std::size_t k, double value) {
-        if (map[k] >= 0) values[map[k]] += value;
-      };
-      add(0, -rate);
-      add(1, state_.memory.by_s(at, c, rate_weight));
-      for (std::size_t k = 0; k < guides.size(); ++k) add(2 + k, rate * guides[k].carries(arm)[i]);
-    }
+      if (map_[c][k] >= 0) values[map_[c][k]] += own.data()[k];
+    if (state_.is_last) add_memory(at, c, rate_weight, K.bottomRows(dim), values);
   }
 }
 

@@ -221,9 +221,12 @@ TEST_F(Fretting, JacobianEqualsFiniteDifferences) {
   std::string moving = cylinder("x = \"1e-4 * sin(2*pi*tau)\"\nforce = \"20 + 5*cos(2*pi*tau)\"");
   moving.erase(moving.find("force = 18.5\n"), 13);
   moving.replace(moving.find("[[counter_body.press]]"), 22, "[counter_body.press]");
-  const std::string factor = "friction.factor=\"1 + h/1e-4 + x0\"";
+  const std::string factor = "friction.factor=\"1 + h/1e-4 + x0\"",
+                    turning = cylinder(
+                        "x = \"1e-4 * sin(2*pi*tau)\"\nrotation = \"0.6 + 2e-5 * cos(2*pi*tau)\"");
   for (const auto& [text, more] :
-       {std::pair{cylinder(), factor}, std::pair{moving, std::string("integrator.name=erk-2")}}) {
+       {std::pair{cylinder(), factor}, std::pair{moving, std::string("integrator.name=erk-2")},
+        std::pair{turning, std::string("integrator.name=esdirk-3")}}) {
     const auto model =
         this->model(text, {"mesh.file=coarse.geo", "cycle.phases=3", "time.cycles=1e6",
                            "wear.coefficient=2.9e-6", "wear.normal=averaged", more});
@@ -242,6 +245,60 @@ TEST_F(Fretting, JacobianEqualsFiniteDifferences) {
 /// A stiff square block between springs of stiffness k per area and a plane that a moment M turns
 /// by M / (k I): I = 1 / 6 of the unit square, times 1 + 2 h^2 of springs at nodes. All slips at M
 /// = 0.38 f P.
+/// Far beyond stick a cylinder slips by 4 theta R in a cycle, wherever it comes from.
+TEST_F(Fretting, ACylinderThatTurnsSlipsByItsArc) {
+  for (const double gap : {0.0, 1.0}) {
+    const auto model = this->model(cylinder("rotation = \"0.6 * sin(2*pi*tau)\"", 0.3),
+                                   {"friction.coefficient=0.3", "wear.coefficient=1e-14",
+                                    fmt::format("contact.initial_gap={}", gap)});
+    Counters counters;
+    const State start = model->start(counters);
+    const double slip = 4 * 0.6 * Cattaneo::R;
+    EXPECT_NEAR(observed(*model, start, "friction_work") / (0.3 * Cattaneo::P * slip), 1, 0.01);
+    EXPECT_NEAR(observed(*model, start, "slip_path") / slip, 1, 0.01);
+  }
+}
+
+/// A flat that moves on a circle of 0.5 mm, and turns by the same angle, turns about the origin.
+TEST_F(Fretting, TheCentreOfARotationMovesWithTheCounterBody) {
+  folder_.write("square.geo", R"(SetFactory("OpenCASCADE");
+Box(1) = {-1, -1, -1, 2, 2, 1};
+Transfinite Curve "*" = 9; Transfinite Curve {1, 3, 5, 7} = 3;
+Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
+Physical Surface("bottom") = {5}; Physical Surface("surface") = {6}; Physical Volume("block") = {1};
+)");
+  const auto model = this->model(R"toml(problem = "worn_body"
+mesh.file = "square.geo"
+body = { young_modulus = 1e5, poisson_ratio = 0.0, material = "linear" }
+support = [ { on = "bottom" } ]
+friction = { coefficient = 0.3, stick = true }
+wear = { on = ["surface"], coefficient = 1e-8 }
+shape.motion = "gap"
+time.cycles = 1
+[cycle]
+period = 1.0
+phases = 16
+x = "0.5*cos(1.5*sin(2*pi*tau))"
+y = "0.5*sin(1.5*sin(2*pi*tau))"
+rotation = "1.5*sin(2*pi*tau)"
+[counter_body]
+shape = "plane"
+center = [0.0, 0.0, 0.0]
+normal = [0.0, 0.0, -1.0]
+motion = { axis = [0.0, 0.0, 1.0], center = [0.0, 0.0, 0.0] }
+press = { direction = [0.0, 0.0, -1.0], force = 40.0 }
+)toml");
+  Counters counters;
+  const State start = model->start(counters);
+  const double mean_distance = (std::sqrt(2.0) + std::asinh(1.0)) / 3;  // of a square of 2 x 2
+  EXPECT_NEAR(observed(*model, start, "friction_work") / (0.3 * 40 * 6 * mean_distance), 1, 0.03);
+}
+
+TEST_F(Fretting, ACycleOfFewPhasesDoesNotTurnTooFar) {
+  expect_refused(cylinder("rotation = \"4 * sin(2*pi*tau)\"", 0.3), {"cycle.phases=4"},
+                 "cycle.rotation turns by");
+}
+
 TEST_F(Fretting, AMomentTurnsTheCounterBody) {
   folder_.write("square.geo", R"(SetFactory("OpenCASCADE");
 Box(1) = {-0.5, -0.5, -0.2, 1, 1, 0.2};

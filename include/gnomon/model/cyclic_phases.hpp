@@ -13,9 +13,11 @@ namespace gnomon {
 /// A contact state: one of the phases of a cycle, or the only one.
 template <int dim>
 struct Phase {
-  double position = 0;  ///< tau, in the cycle
-  double weight = 1;    ///< omega, part of the mean over the cycle
-  double interval = 1;  ///< of a path: part of the cycle since the phase before
+  double position = 0;      ///< tau, in the cycle
+  double weight = 1;        ///< omega, part of the mean over the cycle
+  double interval = 1;      ///< of a path: part of the cycle since the phase before
+  double angle = 0;         ///< by which the counter-body has turned [rad]
+  double angle_before = 0;  ///< of a path, in the phase before
   /// Where it is in this phase, and how it moves; of pairs: how the first one slides where
   /// CyclicMotion says.
   CounterBody<dim> counter_body{};

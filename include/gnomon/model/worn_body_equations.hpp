@@ -122,8 +122,8 @@ public:
   Vector<dim> creepage(const FieldValues<dim>& values) const;
   /// The same, of pairs that of the first body relative to the second.
   Vector<dim> creepage_of_first(const FieldValues<dim>& values) const;
-  /// How far the partner's surface at every contact node is carried by a phase of a path: c of
-  /// stick_node.hpp.
+  /// How far the partner's surface at every contact node is carried by a phase of a path, where the
+  /// bodies stay as they are.
   NodalField<dim> carried(const Phase<dim>& phase) const;
   /// The contact law at every contact node in a phase, on the smooth branch of the point. `values`:
   /// those of its y.
@@ -140,6 +140,7 @@ private:
   void let_memory_follow(Composition<dim>& composition) const;
   PartOfPlace part_of_place(std::size_t phase, int node, double factor = 1) const;
   StickingFriction<dim> friction_on_path(std::size_t phase) const;
+  PathOfPartner<dim> path_of_partner(std::size_t phase) const;
   StickingFriction<dim> friction_in_rolling() const;
   std::vector<MortarCandidates> candidates_in(const Phase<dim>& phase) const;
   TermFactory<dim> contact_of(std::size_t phase, double nominal_speed) const;

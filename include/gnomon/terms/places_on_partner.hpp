@@ -19,11 +19,11 @@ struct PartOfPlace {
 template <int dim>
 struct StickingFriction {
   FieldId traction = FieldId::none;  ///< lambda_T
-  /// Of each contact node, r before is the sum of these without `passed`: the place in the phase
-  /// before, in the first one s; in rolling that upstream. None: it has no friction.
+  /// Of each contact node, the sum of these without `passed` is r before, in the first phase s; in
+  /// later ones beside a rigid partner u before; in rolling that upstream. None: it has no
+  /// friction.
   std::vector<std::vector<PartOfPlace>> before{};
-  /// By contact node: of a rigid partner, what it had moved by in the phase before, without its
-  /// unknowns; in rolling how far it is passed by since. Empty: none [length].
+  /// By contact node: in rolling, how far the partner is passed by since. Empty: none [length].
   NodalField<dim> passed{};
   /// Of the phase before, of the first one that of the last; in rolling, where the pressure does
   /// not change, that of the state.

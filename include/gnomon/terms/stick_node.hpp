@@ -3,13 +3,12 @@
 //
 // The slip is the change of the tangential place of the body on its partner since the phase before,
 //
-//   r = u - c - G q,   Delta = P (r - r_before),   P = 1 - n n'
+//   Delta = P Q (r - r_before),   P = 1 - n n'
 //
-// with the displacement c of the partner's surface there in the phase and G q by its unknown
-// translations; an unknown angle carries the undeformed place about its axis. In rolling, material
-// comes from upstream in an interval dt, in which the partner goes on by
+// with r and the rotation Q of path_of_partner.hpp. In rolling, material comes from upstream in an
+// interval dt, in which the partner goes on by
 //
-//   r = u - c - dt (v^2 - |V| sum_k xi_k e_k)
+//   r = u - dt (v^2 - |V| sum_k xi_k e_k),   Q = 1
 //
 // with unknown creepages xi_k along e_k; with small strains the body streams as far as v^2 dt, both
 // are left out, and r - r_before is projected on the undeformed surface first. T follows from
@@ -25,6 +24,7 @@
 #include <gnomon/laws/friction_factor.hpp>
 #include <gnomon/laws/stick_friction.hpp>
 #include <gnomon/terms/contact_node.hpp>
+#include <gnomon/terms/path_of_partner.hpp>
 #include <gnomon/terms/rolling.hpp>
 
 namespace gnomon {
@@ -49,19 +49,18 @@ struct StickParameters {
   double share = 1;              ///< StickingFriction::share
   bool shape_is_unknown = true;  ///< else a node may touch where it could not wear
   FrictionFactor factor{};       ///< of contact.friction
+  PathOfPartner<dim> path{};
   std::optional<Rolling<dim>> rolling{};
 };
 
 template <int dim, class Scalar = double>
 struct StickInput {
   ContactInput<dim, Scalar> contact;
-  Vector<dim, Scalar> traction;               ///< lambda_T [stress]
-  Vector<dim, Scalar> before;                 ///< r of the phase before [length]
-  Scalar lambda_before;                       ///< the contact multiplier of that phase [stress]
-  Vector<dim> carried = Vector<dim>::Zero();  ///< c [length]
-  double interval = 1;                        ///< since the phase before [time]
-  bool rubs = true;  ///< else it has no friction: where it comes from is not known
-  Vector<dim> arm = Vector<dim>::Zero();  ///< where it is in the coordinates of the partner's shape
+  Vector<dim, Scalar> traction;  ///< lambda_T [stress]
+  Vector<dim, Scalar> before;    ///< r of the phase before [length]
+  Scalar lambda_before;          ///< the contact multiplier of that phase [stress]
+  double interval = 1;           ///< since the phase before [time]
+  bool rubs = true;              ///< else it has no friction: where it comes from is not known
 };
 
 struct StickBranch {
@@ -93,26 +92,32 @@ Vector<dim, Scalar> along_guide(const ContactParameters<dim>& of,
   return by.size() > 0 ? lift(G, by, met.z) : Vector<dim, Scalar>(G.template cast<Scalar>());
 }
 
-/// What its unknowns, or its rolling, add to c.
+/// r in rolling.
 template <int dim, class Scalar>
-Vector<dim, Scalar> moved_partner(const StickParameters<dim>& parameters,
-                                  const StickInput<dim, Scalar>& at,
-                                  const ContactKinematics<dim, Scalar>& met) {
-  const CounterBody<dim>& other = parameters.contact.counter_body;
-  Vector<dim, Scalar> moved = Vector<dim, Scalar>::Zero();
-  if (!parameters.rolling) {
-    for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
-      moved += other.guides[static_cast<std::size_t>(k)].carries(at.arm).template cast<Scalar>() *
-               at.contact.q[k];
-    return moved;
-  }
-  if (!parameters.rolling->linear)
-    moved = Scalar(at.interval) * rolling_velocity(*parameters.rolling, met);
-  const double passed = at.interval * parameters.rolling->velocity.norm();
+Vector<dim, Scalar> place_in_rolling(const Rolling<dim>& rolling, const StickInput<dim, Scalar>& at,
+                                     const std::vector<Guide<dim>>& guides,
+                                     const ContactKinematics<dim, Scalar>& met) {
+  Vector<dim, Scalar> place = at.contact.u.row(0).transpose();
+  if (!rolling.linear) place -= Scalar(at.interval) * rolling_velocity(rolling, met);
+  const double passed = at.interval * rolling.velocity.norm();
   for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
-    if (const Guide<dim>& guide = other.guides[static_cast<std::size_t>(k)]; guide.creeps())
-      moved -= (guide.along * (passed / guide.creep)).template cast<Scalar>() * at.contact.q[k];
-  return moved;
+    if (const Guide<dim>& guide = guides[static_cast<std::size_t>(k)]; guide.creeps())
+      place += (guide.along * (passed / guide.creep)).template cast<Scalar>() * at.contact.q[k];
+  return place;
+}
+
+/// Since the phase before, in space, before it is projected.
+template <int dim, class Scalar>
+Vector<dim, Scalar> change_of_place(const StickParameters<dim>& parameters,
+                                    const ContactPatch<dim>& patch,
+                                    const StickInput<dim, Scalar>& at,
+                                    const Vector<dim, Scalar>& place) {
+  const Vector<dim, Scalar> change = place - at.before;
+  if (!parameters.rolling) return parameters.path.in_space(change);
+  if (!parameters.rolling->linear) return change;
+  const Vector<dim, Scalar> N =
+      Vector<dim>(patch.initial_normal.normalized()).template cast<Scalar>();
+  return change - N * N.dot(change);
 }
 
 /// Coulomb's coefficient at the node.
@@ -137,15 +142,14 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   const ContactKinematics<dim, Scalar> met(of, patch, at.contact, branch.contact);
   const NodalSurface<dim, Scalar> surface(patch, at.contact.X, of.normal_rule);
   if (met.contact.active) require_normal(patch, met.partner);
-  place = at.contact.u.row(0).transpose() - at.carried.template cast<Scalar>() -
-          moved_partner(parameters, at, met);
-  Vector<dim, Scalar> moved = place - at.before;
-  if (parameters.rolling && parameters.rolling->linear) {
-    const Vector<dim, Scalar> N =
-        Vector<dim>(patch.initial_normal.normalized()).template cast<Scalar>();
-    moved -= N * N.dot(moved);
-  }
-  const Vector<dim, Scalar> slip = moved - met.normal * met.normal.dot(moved);
+  const std::vector<Guide<dim>>& guides = of.counter_body.guides;
+  const Vector<dim, Scalar> X = at.contact.X.row(0).transpose(),
+                            u = at.contact.u.row(0).transpose();
+  place = parameters.rolling
+              ? place_in_rolling(*parameters.rolling, at, guides, met)
+              : parameters.path.place(parameters.path.now, guides, at.contact.q, X, u);
+  const Vector<dim, Scalar> moved = change_of_place(parameters, patch, at, place),
+                            slip = moved - met.normal * met.normal.dot(moved);
   const Scalar coefficient = friction_at(parameters, patch, at.contact);
   const StickFriction<dim, Scalar> friction(
       at.traction, slip, met.normal, Scalar(-coefficient * met.contact.traction), parameters.rho,

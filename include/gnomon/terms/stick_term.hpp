@@ -19,9 +19,9 @@ namespace gnomon {
 template <int dim>
 struct StickState : StickingFriction<dim> {
   ContactState<dim> contact;
-  NodalField<dim> carried;            ///< c of the contact nodes [length]
-  std::optional<FieldId> q_before{};  ///< of the partner in the phase before, where there is one
-  Vector<dim> origin = Vector<dim>::Zero();  ///< of the partner's shape at rest [length]
+  PathOfPartner<dim> path{};
+  /// q of the phase before, where there is one: else r before is s.
+  std::optional<FieldId> q_before{};
   std::optional<Rolling<dim>> rolling{};
 };
 
@@ -44,13 +44,16 @@ private:
   int count() const { return static_cast<int>(state_.contact.patches.size()); }
   std::vector<int> row_numbers(int c) const;
   std::vector<int> column_numbers(int c) const;
-  std::vector<int> memory_columns(int c, int i) const;
+  std::vector<int> memory_rows(int c) const;
+  std::vector<int> memory_columns(int c) const;
   template <class Scalar>
   StickInput<dim, Scalar> gather(const Evaluation<dim>& at, int c) const;
   StickBranch branch(const Evaluation<dim>& at, int c) const;
   StickNode<dim> node(const Evaluation<dim>& at, int c) const;
-  /// Rows and columns as their numbers, by automatic differentiation.
+  /// Rows and columns as their numbers, by automatic differentiation; below them those of r.
   Eigen::MatrixXd tangent(const Evaluation<dim>& at, int c) const;
+  void add_memory(const Evaluation<dim>& at, int c, double rate_weight,
+                  const Eigen::MatrixXd& place_by, std::span<double> values) const;
   double weight(int c) const;
   const StickParameters<dim>& parameters(int c) const {
     return surfaces_[state_.contact.surface_of[c]];
