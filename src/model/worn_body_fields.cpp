@@ -7,6 +7,8 @@
 #include <gnomon/terms/shape_multiplier.hpp>
 #include <limits>
 
+#include "model/rolling_fields.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -85,19 +87,6 @@ Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, con
     w.unknown_scale(k, 0) = scales.displacement / arm;
   }
   return w;
-}
-
-/// Its components that forces determine, of pairs.
-template <int dim>
-FieldId add_creepage(const Rolling<dim>& rolling, std::size_t nodes, const Scales& scales,
-                     FieldSet& set) {
-  const int block = set.add({"creepage", "xi", "bodies", Role::rigid});
-  Field creepage("creepage", {static_cast<int>(nodes)}, dim);
-  for (int i = 0; i < dim; ++i)
-    if (rolling.force[i]) creepage.block(0, i) = block;
-  creepage.row_scale.setConstant(scales.force);
-  creepage.unknown_scale.setConstant(rolling.creepage_scale);
-  return set.add(std::move(creepage));
 }
 
 /// How far the partner has moved at a contact node in each of the phases, from the first [length].
@@ -228,8 +217,7 @@ FieldSet WornBodyEquations<dim>::make_fields() {
     if (assembly_->interface.sticks) add_memory(slip, scales, set);
     if (!assembly_->pairs.empty()) add_places(slip, set);
     if (assembly_->interface.rolling && assembly_->interface.rolling->creeps())
-      fields_.front().creepage =
-          add_creepage(*assembly_->interface.rolling, assembly_->mesh.nodes.size(), scales, set);
+      fields_.front().creepage = add_creepage(*assembly_, scales, set);
   }
   if (assembly_->shape.constraint == ConstraintForm::multiplier) {
     const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});
