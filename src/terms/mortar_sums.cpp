@@ -126,6 +126,14 @@ void MortarTerm<dim>::add_masters(Surfaces& result) const {
 }
 
 template <int dim>
+WearInput MortarTerm<dim>::wear_input_of(const Evaluation<dim>& at, const Side& side,
+                                         const SideState& state) const {
+  const double p = state.pressure(), v = state.speed();
+  return wear_input(patch(side), Vector<4>(p, v, depth(at, side), pair(side).friction * p * v),
+                    moment(at, side));
+}
+
+template <int dim>
 void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
                                 SideState& state) const {
   const ContactPatch<dim>& own = patch(side);
@@ -133,17 +141,16 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
   constexpr double least = std::numeric_limits<double>::min();
   if (state_.path || !side.slave ? !(state.pressure() >= least) : !state.active) return;
   const PatchNodal<dim> X = positions(at, own, nullptr);
-  const double friction = pair(side).friction, speed = state.speed();
-  const double p = state.pressure();
-  state.rate = law(side).rate(
-      wear_input(own, Vector<4>(p, speed, depth(at, side), friction * p * speed), moment(at, side)),
-      law_branch(at, side));
+  const double friction = pair(side).friction;
+  state.rate = law(side).rate(wear_input_of(at, side, state), law_branch(at, side));
   const double share = state_.path ? state_.path->share : 1;
   for (double* of : {&state.rate.value, &state.rate.by_pressure, &state.rate.by_speed,
                      &state.rate.by_depth, &state.rate.by_friction_power})
     *of *= share;
-  state.rate_by_pressure = state.rate.by_pressure + friction * speed * state.rate.by_friction_power;
-  state.rate_by_speed = state.rate.by_speed + friction * p * state.rate.by_friction_power;
+  state.rate_by_pressure =
+      state.rate.by_pressure + friction * state.speed() * state.rate.by_friction_power;
+  state.rate_by_speed =
+      state.rate.by_speed + friction * state.pressure() * state.rate.by_friction_power;
   if (!own.may_move()) return;
   state.direction.emplace(own, X, state_.normal_rule);
   // A node that has just opened wears by a pressure that may be no more than a rounding error.
@@ -192,11 +199,8 @@ void MortarTerm<dim>::switching(const Evaluation<dim>& at, std::span<double> val
       if (state.sticking) own[1] = state.sticking->excess;
     }
     if (law(side).kinks() == 0) continue;
-    const double p = state.pressure(), v = state.speed();
-    law(side).switching(
-        wear_input(patch(side), Vector<4>(p, v, depth(at, side), pair(side).friction * p * v),
-                   moment(at, side)),
-        own.subspan(contact_switches(side)), law_branch(at, side));
+    law(side).switching(wear_input_of(at, side, state), own.subspan(contact_switches(side)),
+                        law_branch(at, side));
   }
 }
 

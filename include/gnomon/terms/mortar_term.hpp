@@ -152,6 +152,8 @@ private:
   void add_facets(const Evaluation<dim>& at, Surfaces& result) const;
   void find_traction(const Evaluation<dim>& at, const Side& side, SideState& state) const;
   void add_masters(Surfaces& result) const;
+  WearInput wear_input_of(const Evaluation<dim>& at, const Side& side,
+                          const SideState& state) const;
   void find_wear(const Evaluation<dim>& at, const Side& side, SideState& state) const;
   void add_side(const Side& side, const SideState& state, std::span<double> values) const;
   void declare_path(const Side& side, PatternBuilder& pattern) const;
