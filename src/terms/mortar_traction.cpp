@@ -47,7 +47,9 @@ StickingTraction<dim>::StickingTraction(const StickingParameters& parameters,
                             moved = at.turn[1].template cast<Scalar>() * (place - before),
                             kept = moved - at.dropped.template cast<Scalar>() *
                                                at.dropped.template cast<Scalar>().dot(moved),
-                            along = kept - n * n.dot(kept);
+                            along = parameters.rubs
+                                        ? Vector<dim, Scalar>(kept - n * n.dot(kept))
+                                        : Vector<dim, Scalar>(Vector<dim, Scalar>::Zero());
   const StickFriction<dim, Scalar> friction(
       lambda_T, along, n, closed ? Scalar(-coefficient * lambda) : Scalar(0), parameters.rho,
       closed && parameters.rubs && parameters.friction > 0, given);

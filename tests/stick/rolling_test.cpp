@@ -182,13 +182,20 @@ rolling = {{ velocity = [1000.0, 0.0, 0.0], {} }}
   EXPECT_LT((centre - Vector<3>(0.1, 0, 0)).norm(), 1e-9);
 }
 
+/// What has no friction does not wear.
 TEST_F(RollingScenes, ContactWhereNoMaterialComesFromIsToldOf) {
-  const auto model =
-      this->model(cylinder("creepage = [1e-3, 0.0]"), {"counter_body.center=[-2.0, 6.0]"});
-  Counters counters;
-  const Examination facts = model->examine(model->start(counters));
-  EXPECT_GT(facts.without_friction, 1e-3);
-  EXPECT_THAT(doubts(facts), ::testing::Contains(HasSubstr("without friction")));
+  for (const char* material : {"linear", "neo-hookean"}) {
+    const auto model =
+        this->model(cylinder("creepage = [1e-3, 0.0]"),
+                    {"counter_body.center=[-2.0, 6.0]", fmt::format("body.material={}", material)});
+    Counters counters;
+    const State start = model->start(counters);
+    const Examination facts = model->examine(start);
+    EXPECT_GT(facts.without_friction, 1e-3);
+    EXPECT_THAT(doubts(facts), ::testing::Contains(HasSubstr("without friction")));
+    EXPECT_EQ(observed(*model, start, "friction_power"), 0);
+    EXPECT_EQ(observed(*model, start, "wear_flux"), 0) << material;
+  }
 }
 
 /// Unlike bodies that roll freely creep by 0.915 beta a / R for small friction, far from where the

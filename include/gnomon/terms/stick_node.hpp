@@ -148,8 +148,9 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   place = parameters.rolling
               ? place_in_rolling(*parameters.rolling, at, guides, met)
               : parameters.path.place(parameters.path.now, guides, at.contact.q, X, u);
-  const Vector<dim, Scalar> moved = change_of_place(parameters, patch, at, place),
-                            slip = moved - met.normal * met.normal.dot(moved);
+  const Vector<dim, Scalar> moved = change_of_place(parameters, patch, at, place);
+  Vector<dim, Scalar> slip = moved - met.normal * met.normal.dot(moved);
+  if (!at.rubs) slip.setZero();  // by no place before
   const Scalar coefficient = friction_at(parameters, patch, at.contact);
   const StickFriction<dim, Scalar> friction(
       at.traction, slip, met.normal, Scalar(-coefficient * met.contact.traction), parameters.rho,
