@@ -12,14 +12,27 @@ namespace {
 bool finite(const WearRate& rate) {
   return std::isfinite(rate.value) && std::isfinite(rate.by_pressure) &&
          std::isfinite(rate.by_speed) && std::isfinite(rate.by_depth) &&
-         std::isfinite(rate.by_friction_power);
+         std::isfinite(rate.by_friction_power) && std::isfinite(rate.by_mean_friction_power);
 }
 
-WearInput with_pressure(const WearInput& at, double pressure, double friction_power) {
-  WearInput result = at;
-  result.pressure = pressure;
-  result.friction_power = friction_power;
-  return result;
+/// The input at the point about which it is reflected, and its reflection.
+struct Reflection {
+  WearInput zero, opposite;
+};
+
+Reflection of_pressure(const WearInput& at) {
+  Reflection of{at, at};
+  of.zero.pressure = of.zero.friction_power = 0;
+  of.opposite.pressure = -at.pressure;
+  of.opposite.friction_power = -at.friction_power;
+  return of;
+}
+
+Reflection of_mean(const WearInput& at) {
+  Reflection of{at, at};
+  of.zero.mean_friction_power = 0;
+  of.opposite.mean_friction_power = -at.mean_friction_power;
+  return of;
 }
 
 /// Of a depth that is negative by the rounding of positions alone.
@@ -36,7 +49,8 @@ bool is_nearly_zero(const WearInput& at, const WearRate& rate) {
   constexpr double change = 1e-9;
   const double size = std::abs(rate.by_pressure * at.pressure) +
                       std::abs(rate.by_speed * at.speed) + std::abs(rate.by_depth * at.depth) +
-                      std::abs(rate.by_friction_power * at.friction_power);
+                      std::abs(rate.by_friction_power * at.friction_power) +
+                      std::abs(rate.by_mean_friction_power * at.mean_friction_power);
   return -rate.value <= change * size;
 }
 
@@ -51,6 +65,8 @@ bool is_continued_in_time(const WearInput& at, const std::vector<double>& breakp
 void without_slope_at_zero(const WearInput& at, WearRate& rate) {
   if (at.pressure == 0 && !std::isfinite(rate.by_pressure)) rate.by_pressure = 0;
   if (at.friction_power == 0 && !std::isfinite(rate.by_friction_power)) rate.by_friction_power = 0;
+  if (at.mean_friction_power == 0 && !std::isfinite(rate.by_mean_friction_power))
+    rate.by_mean_friction_power = 0;
 }
 
 }  // namespace
@@ -74,26 +90,42 @@ WearLaw WearLaw::with_stops(std::vector<double> stops) const {
   return WearLaw(std::move(definition));
 }
 
-WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) const {
-  WearRate rate;
-  if (at.pressure >= 0) {
-    rate = definition_->rate(at, branches);
-    without_slope_at_zero(at, rate);
-  } else {
-    const WearRate zero = definition_->rate(with_pressure(at, 0, 0), branches);
-    rate = definition_->rate(with_pressure(at, -at.pressure, -at.friction_power), branches);
-    rate.value = 2 * zero.value - rate.value;
-    rate.by_speed = 2 * zero.by_speed - rate.by_speed;
-    rate.by_depth = 2 * zero.by_depth - rate.by_depth;
+/// Derivatives by what is reflected are those at the opposite input.
+WearRate WearLaw::continued(const WearInput& at, std::span<const char> branches) const {
+  if (at.pressure < 0) {
+    const Reflection of = of_pressure(at);
+    const WearRate zero = continued(of.zero, branches);
+    WearRate rate = continued(of.opposite, branches);
+    for (double WearRate::*each : {&WearRate::value, &WearRate::by_speed, &WearRate::by_depth,
+                                   &WearRate::by_mean_friction_power})
+      rate.*each = 2 * zero.*each - rate.*each;
+    return rate;
   }
+  if (at.mean_friction_power < 0) {
+    const Reflection of = of_mean(at);
+    const WearRate zero = continued(of.zero, branches);
+    WearRate rate = continued(of.opposite, branches);
+    for (double WearRate::*each : {&WearRate::value, &WearRate::by_pressure, &WearRate::by_speed,
+                                   &WearRate::by_depth, &WearRate::by_friction_power})
+      rate.*each = 2 * zero.*each - rate.*each;
+    return rate;
+  }
+  WearRate rate = definition_->rate(at, branches);
+  without_slope_at_zero(at, rate);
+  return rate;
+}
+
+WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) const {
+  const WearRate rate = continued(at, branches);
   if (!finite(rate))
     throw RecoverableError(fmt::format(
         "the wear law has no finite rate, or derivatives of it, at p = {:.4g}, v = {:.4g}, h = "
         "{:.4g}, t = {:.4g}",
         at.pressure, at.speed, at.depth, at.moment.time));
   // A branch that is given may be continued to where it is negative.
-  if (branches.empty() && at.pressure >= 0 && rate.value < 0 && !is_of_rounded_depth(at) &&
-      !is_nearly_zero(at, rate) && !is_continued_in_time(at, breakpoints()))
+  if (branches.empty() && at.pressure >= 0 && at.mean_friction_power >= 0 && rate.value < 0 &&
+      !is_of_rounded_depth(at) && !is_nearly_zero(at, rate) &&
+      !is_continued_in_time(at, breakpoints()))
     throw RecoverableError(fmt::format(
         "the wear law adds material: its rate is {:.4g} at p = {:.4g}, v = {:.4g}, h = {:.4g}, t = "
         "{:.4g}, initial position ({:.4g}, {:.4g}, {:.4g})",
@@ -105,10 +137,12 @@ WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) cons
 void WearLaw::switching(const WearInput& at, std::span<double> values,
                         std::span<const char> branches) const {
   if (kinks() == 0) return;
-  if (at.pressure >= 0) return definition_->switching(at, branches, values);
+  const bool presses = at.pressure >= 0;
+  if (presses && at.mean_friction_power >= 0) return definition_->switching(at, branches, values);
+  const Reflection of = presses ? of_mean(at) : of_pressure(at);
   std::vector<double> zero(values.size());
-  definition_->switching(with_pressure(at, 0, 0), branches, zero);
-  definition_->switching(with_pressure(at, -at.pressure, -at.friction_power), branches, values);
+  switching(of.zero, zero, branches);
+  switching(of.opposite, values, branches);
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = 2 * zero[k] - values[k];
 }
 

@@ -69,19 +69,22 @@ std::array<double, 3> middle_of(const std::vector<std::array<double, 3>>& positi
 /// Multiples of the mean pressure, of which the first is taken at which a law wears.
 constexpr std::array<double, 4> that_wear = {1, 3, 10, 30};
 
-/// Wdot / p at a pressure; of a rate that is proportional to it, whatever the pressure, to the last
-/// digit.
+/// Wdot / p at a pressure that is that of the whole contact; of a rate that is proportional to it,
+/// whatever the pressure, to the last digit.
 double secant(const WearLaw& law, const WearCircumstances& at, double pressure, double speed,
               double t, double depth = 0) {
   constexpr double rounding = 1e-12;
+  const double power = at.friction * pressure * speed;
   const WearRate rate = law.rate({.pressure = pressure,
                                   .speed = speed,
                                   .depth = depth,
-                                  .friction_power = at.friction * pressure * speed,
+                                  .friction_power = power,
+                                  .mean_friction_power = power,
                                   .moment = {.time = t, .slid = speed * t, .within = t},
                                   .initial = middle_of(at.initial)});
   const double secant = rate.value / pressure;
-  const double slope = rate.by_pressure + rate.by_friction_power * at.friction * speed;
+  const double slope = rate.by_pressure +
+                       (rate.by_friction_power + rate.by_mean_friction_power) * at.friction * speed;
   return std::abs(slope - secant) <= rounding * secant ? slope : secant;
 }
 
@@ -216,6 +219,10 @@ std::string remark_on_cycle(const Scene& scene, const LawInTime& in_time) {
 
 WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at,
                      std::vector<std::string>& remarks, const std::string& rate_key) {
+  if (law.reads_mean() && !at.rolls)
+    throw InputError(
+        where_law(scene, rate_key) +
+        ": expected no q_mean, the mean of q over the contact, without steady rolling");
   const WearRange range{.pressure = at.pressure,
                         .speed = at.speed,
                         .depth = at.depth,

@@ -26,7 +26,7 @@ WearLaw factor_by_text(const Scene& scene, double nominal_speed) {
   try {
     const Expression factor(scene.text(key), names);
     const auto used = tokens_in(factor.text());
-    for (const char* name : {"p", "v", "q"})
+    for (const char* name : {"p", "v", "q", "q_mean"})
       if (used.contains(name))
         refuse(scene, key, fmt::format("a function of h, t, s, x0, y0, z0, got {}", name));
     return expression_wear_law(factor, scene.real("time.end"), nominal_speed);
@@ -72,10 +72,10 @@ FrictionFactor read_friction_factor(const Scene& scene, const AssemblyParts<dim>
     refuse(scene, key, "friction.stick = true, or [rolling], beside it");
   if (reads_in_rates(scene, "f"))
     refuse(scene, "wear.rate", "no f beside friction.factor: q is f p v with its factor");
-  if (!parts.pairs.empty() && reads_in_rates(scene, "q"))
+  if (!parts.pairs.empty() && (reads_in_rates(scene, "q") || reads_in_rates(scene, "q_mean")))
     refuse(scene, "wear.rate",
-           "no q beside friction.factor in a [[pair]], since both of its surfaces would need the "
-           "factor of the other one");
+           "no q or q_mean beside friction.factor in a [[pair]], since both of its surfaces would "
+           "need the factor of the other one");
   const auto slides_alike = [&](const MortarPair<dim>& pair) {
     return pair.slides == parts.pairs.front().slides;
   };

@@ -23,6 +23,7 @@ std::vector<WearInput> typical_inputs(const WearRange& range) {
                           .speed = range.speed,
                           .depth = depth * range.depth,
                           .friction_power = range.friction * p * range.speed,
+                          .mean_friction_power = range.friction * p * range.speed,
                           .moment = {},
                           .initial = range.initial[k]});
       }

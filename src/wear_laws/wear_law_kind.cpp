@@ -9,12 +9,13 @@ namespace gnomon {
 
 namespace {
 
-std::string described(const WearInput& at) {
+std::string described(const WearInput& at, bool with_mean) {
   return fmt::format(
-      "p = {:.4g}, v = {:.4g}, h = {:.4g}, q = {:.4g}, t = {:.4g}, s = {:.4g} and the initial "
+      "p = {:.4g}, v = {:.4g}, h = {:.4g}, q = {:.4g}, {}t = {:.4g}, s = {:.4g} and the initial "
       "position ({:.4g}, {:.4g}, {:.4g})",
-      at.pressure, at.speed, at.depth, at.friction_power, at.moment.time, at.moment.slid,
-      at.initial[0], at.initial[1], at.initial[2]);
+      at.pressure, at.speed, at.depth, at.friction_power,
+      with_mean ? fmt::format("q_mean = {:.4g}, ", at.mean_friction_power) : "", at.moment.time,
+      at.moment.slid, at.initial[0], at.initial[1], at.initial[2]);
 }
 
 /// Whether the law has a rate there. It need not where material is worn off: how deep a run comes
@@ -27,6 +28,11 @@ bool has_rate(const WearLaw& law, const WearInput& at) {
   } catch (const RecoverableError&) {
     return false;
   }
+}
+
+/// Multiples of f p v at the mean pressure for the mean of q over the contact.
+std::vector<double> multiples_of_mean(const WearLaw& law) {
+  return law.reads_mean() ? std::vector<double>{1, 10, 0.1, 1e-4} : std::vector<double>{1};
 }
 
 /// Times of the run at which a law is looked at, and one in each part between its breakpoints.
@@ -63,17 +69,22 @@ void check_wear_law(const WearLaw& law, const WearRange& range, const std::strin
           at.speed = speed * range.speed;
           at.depth = depth * range.depth;
           at.initial = initial;
-          double usual = 0;  // at the mean pressure
-          for (const double pressure : {10.0, 3.0, 1.0, 0.3, 0.01, 1e-4, 0.0}) {
-            at.pressure = pressure * range.pressure;
-            at.friction_power = range.friction * at.pressure * at.speed;
-            if (depth > 0 && !has_rate(law, at)) continue;
-            const double value = rate();
-            if (pressure == 1) usual = value;
-            if (pressure == 0 && !(value <= rounding * usual))
-              throw InputError(
-                  fmt::format("{}: expected no wear without pressure, got the rate {:.4g} at {}",
-                              where, value, described(at)));
+          for (const double mean : multiples_of_mean(law)) {
+            double usual = 0;  // at the mean pressure
+            for (const double pressure : {10.0, 3.0, 1.0, 0.3, 0.01, 1e-4, 0.0}) {
+              at.pressure = pressure * range.pressure;
+              at.friction_power = range.friction * at.pressure * at.speed;
+              // Where a node has no pressure in a contact that has, the law is not asked.
+              at.mean_friction_power =
+                  pressure == 0 ? 0 : mean * range.friction * range.pressure * at.speed;
+              if (depth > 0 && !has_rate(law, at)) continue;
+              const double value = rate();
+              if (pressure == 1) usual = value;
+              if (pressure == 0 && !(value <= rounding * usual))
+                throw InputError(
+                    fmt::format("{}: expected no wear without pressure, got the rate {:.4g} at {}",
+                                where, value, described(at, law.reads_mean())));
+            }
           }
         }
 }
@@ -85,7 +96,7 @@ std::string remark_on_idle_law(const WearLaw& law, const WearRange& range) {
                  .depth = depth * range.depth,
                  .moment = {time, time * range.nominal_speed, time},
                  .initial = range.initial.front()};
-    at.friction_power = range.friction * at.pressure * at.speed;
+    at.friction_power = at.mean_friction_power = range.friction * at.pressure * at.speed;
     return depth == 0 || has_rate(law, at) ? law.rate(at) : WearRate{};
   };
   double idle = 0;  // the largest multiple of the mean pressure at which nothing wears

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <gnomon/base/tensor.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
 
 #include "support/derivatives.hpp"
@@ -32,12 +33,13 @@ void expect_derivatives(const WearLaw& law, const WearInput& at,
     above.*member += h, below.*member -= h;
     return (law.rate(above, branches).value - law.rate(below, branches).value) / (2 * h);
   };
-  const Vector<4> actual(rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power);
-  expect_same_matrix(
-      actual,
-      Vector<4>(difference(&WearInput::pressure), difference(&WearInput::speed),
-                difference(&WearInput::depth), difference(&WearInput::friction_power)),
-      1e-8);
+  Vector<5> actual, expected;
+  actual << rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power,
+      rate.by_mean_friction_power;
+  expected << difference(&WearInput::pressure), difference(&WearInput::speed),
+      difference(&WearInput::depth), difference(&WearInput::friction_power),
+      difference(&WearInput::mean_friction_power);
+  expect_same_matrix(actual, expected, 1e-8);
 }
 
 TEST(WearLaw, RatesByHand) {
@@ -77,6 +79,38 @@ TEST(WearLaw, ContinuesBelowNoPressure) {
   EXPECT_EQ(root.rate(input(0, 5)).by_pressure, 0);
   EXPECT_DOUBLE_EQ(root.rate(input(4, 5)).by_pressure, 1.25e-3);
   EXPECT_THROW(law_of("p / h").rate(input(1, 5, 0)), RecoverableError);
+}
+
+/// Below zero, too, where iterates may come: the same value and slope at zero.
+TEST(WearLaw, ReadsTheMeanOverTheContact) {
+  const WearLaw law =
+      law_of("1e-3 * (q * (1 + q_mean / 50)^1.5 + h * q_mean) * max(30 - q_mean, 1)");
+  EXPECT_TRUE(law.reads_mean());
+  EXPECT_FALSE(law_of("1e-3 * q").reads_mean());
+  WearInput at = input(20, 5);
+  at.mean_friction_power = 25;
+  EXPECT_NEAR(law.rate(at).value, 1e-3 * (40 * std::pow(1.5, 1.5) + 5) * 5, 1e-12);
+  std::array<double, 1> kink{};
+  law.switching(at, kink);
+  EXPECT_DOUBLE_EQ(std::abs(kink[0]), 4);
+  const std::array<char, 1> here = {kink[0] <= 0};
+  for (const double p : {20.0, -20.0})
+    for (const double mean : {25.0, 40.0, -25.0}) {
+      at = input(p, 5, 0.2, 2 * p);
+      at.mean_friction_power = mean;
+      expect_derivatives(law, at, here);
+    }
+  at = input(20, 5);
+  at.mean_friction_power = -1e-9;
+  const WearRate below = law.rate(at);
+  at.mean_friction_power = 1e-9;
+  EXPECT_NEAR(below.value, law.rate(at).value, 1e-10);
+  EXPECT_NEAR(below.by_mean_friction_power, law.rate(at).by_mean_friction_power, 1e-10);
+  at.mean_friction_power = -25;
+  law.switching(at, kink, here);
+  EXPECT_DOUBLE_EQ(std::abs(kink[0]), 54);
+  const WearLaw root = law_of("1e-3 * q * sqrt(q_mean)");
+  EXPECT_EQ(root.rate(input(20, 5)).by_mean_friction_power, 0);
 }
 
 TEST(WearLaw, KinksOfAnExpressionSwitch) {
@@ -160,6 +194,9 @@ TEST(WearLaw, IsCheckedOnAGridOfInputs) {
   EXPECT_EQ(refusal("1e-9 * p * v"), "");
   EXPECT_EQ(refusal("1e-9 * p^0.8 * v * exp(-h)"), "");
   EXPECT_EQ(refusal("1e-9 * q * sqrt(1e-3 + max(h, 0))"), "");
+  EXPECT_EQ(refusal("1e-9 * q * q_mean^0.5"), "");
+  EXPECT_EQ(refusal("1e-9 * q_mean"), "");  // open nodes do not wear by it
+  EXPECT_THAT(refusal("1e-9 * q * (1 - q_mean / 20000)"), HasSubstr("adds material"));
   const std::string key = "scene.toml:3: key `wear.rate`: ";
   const std::string idle = refusal("1e-9 * (p + 1) * v");
   EXPECT_THAT(idle,

@@ -25,6 +25,8 @@ struct WearInput {
   double speed = 0;           ///< v = |v_T| [length / time]
   double depth = 0;           ///< h, of the material worn off, along the initial normal [length]
   double friction_power = 0;  ///< q = mu p v, per nominal area [stress length / time]
+  /// q_mean, the mean of q over the contact; of laws that read it, in steady rolling alone.
+  double mean_friction_power = 0;
   WearMoment moment;
   std::array<double, 3> initial{};  ///< initial position of the node [length]
 };
@@ -33,21 +35,23 @@ struct WearInput {
 struct WearRate {
   double value = 0;
   double by_pressure = 0, by_speed = 0, by_depth = 0, by_friction_power = 0;
+  double by_mean_friction_power = 0;
 };
 
 /// A wear law. A value; copies share what they hold, and may be used by several threads at once.
 ///
-/// It is smooth except for kinks, of which there are two kinds. Those that depend on p, v, h, q or
-/// the initial position each have a switching function, negative or zero where the kink is
-/// *active*; `branches`, one entry per kink, not 0 where it is active, choose a smooth branch,
+/// It is smooth except for kinks, of which there are two kinds. Those that depend on p, v, h, q,
+/// q_mean or the initial position each have a switching function, negative or zero where the kink
+/// is *active*; `branches`, one entry per kink, not 0 where it is active, choose a smooth branch,
 /// continued beyond its border. Empty branches mean the one that the input lies in. Kinks that
 /// depend on t and s alone are breakpoints in time, where steps end. A law is evaluated only for p
 /// >= 0. Below p = 0, which a closed node on a continued branch may reach, rate and switching
 /// functions f are continued by the point reflection
 ///
-///     f(p, q) = 2 f(0, 0) - f(-p, -q)     at the same v, h, t, s
+///     f(p, q) = 2 f(0, 0) - f(-p, -q)     at the same v, h, q_mean, t, s
 ///
-/// which has the value and slope of f at p = 0, and derivatives that follow from those of f.
+/// which has the value and slope of f at p = 0, and derivatives that follow from those of f. So it
+/// is below q_mean = 0, which iterates may reach.
 class WearLaw {
 public:
   struct Definition {
@@ -59,6 +63,7 @@ public:
     std::vector<double> breakpoints{};  ///< ascending times
     std::vector<char> jumps{};    ///< one per kink: whether the rate may jump there; empty: nowhere
     bool in_time = true;          ///< whether the rate may depend on t or s
+    bool reads_mean = false;      ///< whether it reads mean_friction_power
     std::vector<double> stops{};  ///< ascending times, beside breakpoints, at which steps end
   };
 
@@ -76,11 +81,14 @@ public:
     return !definition_->jumps.empty() && definition_->jumps[kink] != 0;
   }
   bool in_time() const { return definition_->in_time; }
+  bool reads_mean() const { return definition_->reads_mean; }
   const std::vector<double>& stops() const { return definition_->stops; }
   /// The same law with these stops.
   WearLaw with_stops(std::vector<double> stops) const;
 
 private:
+  WearRate continued(const WearInput& at, std::span<const char> branches) const;
+
   std::shared_ptr<const Definition> definition_;
 };
 

@@ -25,6 +25,7 @@ struct WearCircumstances {
   // Read by required_law() alone:
   double depth = 1;                                   ///< mean wear depth at the end [length]
   std::vector<std::array<double, 3>> initial = {{}};  ///< positions of the nodes [length]
+  bool rolls = false;                                 ///< in a steady state, so that q has a mean
 };
 
 /// The mean over the run of Wdot / p at a new surface [length / (time stress)]: k v of Archard's
@@ -44,7 +45,7 @@ InputError unsound_law(const Scene& scene, const RecoverableError& error);
 
 /// The law with the stops of what it does in time by itself (law_in_time.hpp), where steps follow
 /// the error; adds remarks for the user. Throws InputError, in one line, where check_wear_law()
-/// does for the values that the run may meet.
+/// does for the values that the run may meet, or where the law reads a mean that it has not.
 WearLaw required_law(const Scene& scene, const WearLaw& law, const WearCircumstances& at,
                      std::vector<std::string>& remarks, const std::string& rate_key = "wear.rate");
 

@@ -24,7 +24,7 @@ struct WearLawKind {
   std::string missing() const { return make ? "" : "make"; }  ///< for Registry
 };
 
-/// The variables of a wear law that is an expression: p v h q t s x0 y0 z0, as in WearInput.
+/// The variables of a wear law that is an expression: p v h q t s x0 y0 z0 q_mean, as in WearInput.
 const std::vector<std::string>& wear_law_variables();
 
 /// The wear rate as an expression of wear_law_variables(), in this order. Its kinks that depend on

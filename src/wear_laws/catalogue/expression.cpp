@@ -14,18 +14,19 @@
 namespace gnomon {
 
 const std::vector<std::string>& wear_law_variables() {
-  static const std::vector<std::string> names = {"p", "v", "h", "q", "t", "s", "x0", "y0", "z0"};
+  static const std::vector<std::string> names = {"p", "v",  "h",  "q",  "t",
+                                                 "s", "x0", "y0", "z0", "q_mean"};
   return names;
 }
 
 namespace {
 
-using Variables = std::array<double, 9>;
-constexpr std::size_t time_variable = 4, slid_variable = 5;
+using Variables = std::array<double, 10>;
+constexpr std::size_t time_variable = 4, slid_variable = 5, mean_variable = 9;
 
 Variables variables(const WearInput& at) {
   return {at.pressure,    at.speed,      at.depth,      at.friction_power, at.moment.time,
-          at.moment.slid, at.initial[0], at.initial[1], at.initial[2]};
+          at.moment.slid, at.initial[0], at.initial[1], at.initial[2],     at.mean_friction_power};
 }
 
 /// Steps end where a condition on time changes; between, it has one branch.
@@ -78,7 +79,7 @@ private:
     const std::vector<char> all = all_branches(x, within, branches);
     double value = rate_.value_and_gradient(x, gradient, all);
     if (value < 0 && -value <= of_rounded_time(x, gradient)) value = 0;
-    return {value, gradient[0], gradient[1], gradient[2], gradient[3]};
+    return {value, gradient[0], gradient[1], gradient[2], gradient[3], gradient[mean_variable]};
   }
 
   /// By how much a rate is another one at a time that is rounded: of max(sin(2*pi*t), 0) at t = 1.
@@ -146,7 +147,8 @@ WearLaw expression_wear_law(const Expression& rate, double end, double nominal_s
                           std::span<double> values) { law->switching(at, branches, values); },
        .breakpoints = law->breakpoints(),
        .jumps = law->jumps(),
-       .in_time = rate.depends_on(time_variable) || rate.depends_on(slid_variable)});
+       .in_time = rate.depends_on(time_variable) || rate.depends_on(slid_variable),
+       .reads_mean = rate.depends_on(mean_variable)});
 }
 
 namespace {
@@ -190,8 +192,8 @@ void require_one_friction(const Scene& scene, const std::string& key) {
         "each pair");
 }
 
-/// Of p, v, h, q or a position, each point is a switching function of every contact node; of t or
-/// s, a breakpoint at which a step ends.
+/// Of p, v, h, q, q_mean or a position, each point is a switching function of every contact node;
+/// of t or s, a breakpoint at which a step ends.
 void require_few_points(const Scene& scene, const std::string& rate) {
   constexpr std::size_t most = 1000;
   for (const std::string& name : tokens_in(rate)) {
@@ -221,7 +223,7 @@ namespace {
 
 const Registration<WearLawKind> registration(
     {.name = "expression",
-     .help = "the expression wear.rate of p, v, h, q, t, s, x0, y0, z0",
+     .help = "the expression wear.rate of p, v, h, q, t, s, x0, y0, z0, q_mean",
      .keys = {},
      .make = [](const Scene& scene) {
        return expression_wear_law(scene, "wear.rate", scene.real("wear.velocity"));
