@@ -1,5 +1,7 @@
 #include "model/rolling_fields.hpp"
 
+#include <algorithm>
+
 namespace gnomon {
 
 template <int dim>
@@ -14,7 +16,23 @@ FieldId add_creepage(const Assembly<dim>& body, const Scales& scales, FieldSet& 
   return set.add(std::move(creepage));
 }
 
+template <int dim>
+FieldId add_mean_power(const Assembly<dim>& body, const Scales& scales, FieldSet& set) {
+  const auto reads = [](const Surface<dim>& surface) { return surface.wear.reads_mean(); };
+  if (std::ranges::none_of(body.interface.surfaces, reads)) return FieldId::none;
+  const double power = body.interface.friction * body.nominal_speed();
+  const int block = set.add({"mean_friction_power", "q_mean", "contacts", Role::rigid});
+  const auto at_no_node = static_cast<int>(body.mesh.nodes.size());
+  Field mean("mean_friction_power", {at_no_node}, 1);
+  mean.block.setConstant(block);
+  mean.row_scale.setConstant(power * scales.force);
+  mean.unknown_scale.setConstant(power * scales.stress);
+  return set.add(std::move(mean));
+}
+
 template FieldId add_creepage(const Assembly<2>&, const Scales&, FieldSet&);
 template FieldId add_creepage(const Assembly<3>&, const Scales&, FieldSet&);
+template FieldId add_mean_power(const Assembly<2>&, const Scales&, FieldSet&);
+template FieldId add_mean_power(const Assembly<3>&, const Scales&, FieldSet&);
 
 }  // namespace gnomon

@@ -10,4 +10,9 @@ namespace gnomon {
 template <int dim>
 FieldId add_creepage(const Assembly<dim>& body, const Scales& scales, FieldSet& set);
 
+/// The mean of the power of friction over the contact with a rigid partner; none where no wear law
+/// reads it.
+template <int dim>
+FieldId add_mean_power(const Assembly<dim>& body, const Scales& scales, FieldSet& set);
+
 }  // namespace gnomon

@@ -22,6 +22,7 @@ ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& pha
   ContactState<dim> state{.u = fields.u,
                           .lambda = fields.lambda,
                           .q = fields.w,
+                          .mean_power = fields.mean_power,
                           .mesh = body.mesh,
                           .parameters = {.counter_body = phase.counter_body,
                                          .wear = {},

@@ -218,6 +218,8 @@ FieldSet WornBodyEquations<dim>::make_fields() {
     if (!assembly_->pairs.empty()) add_places(slip, set);
     if (assembly_->interface.rolling && assembly_->interface.rolling->creeps())
       fields_.front().creepage = add_creepage(*assembly_, scales, set);
+    if (assembly_->interface.rolling)
+      fields_.front().mean_power = add_mean_power(*assembly_, scales, set);
   }
   if (assembly_->shape.constraint == ConstraintForm::multiplier) {
     const int reaction = set.add({"shape_multiplier", "mu", "contact nodes", Role::reaction});

@@ -190,7 +190,8 @@ WearCircumstances wear_circumstances(const AssemblyParts<dim>& parts) {
                        .speed = parts.nominal_speed(),
                        .duration = parts.scales.duration,
                        .depth = parts.scales.wear_depth,
-                       .initial = {}};
+                       .initial = {},
+                       .rolls = parts.interface.rolling && parts.pairs.empty()};
   for (const ContactPatch<dim>& patch : contact_nodes_of(parts)) {
     std::array<double, 3>& position = at.initial.emplace_back();
     std::copy(patch.initial_position.begin(), patch.initial_position.end(), position.begin());

@@ -167,10 +167,10 @@ std::vector<Key> load_and_wear_keys(int dim) {
        .kind = KeyKind::text,
        .unit = "mm/s",
        .default_value = dim == 2 ? "k * p * v" : "k * f * p * v",
-       .help =
-           "wear rate, from pressure p, sliding speed v, friction power q = f p v, wear depth h, "
-           "time t, sliding distance s, initial position x0 y0 z0, k = wear.coefficient, f = "
-           "friction.coefficient, constants and tables (docs/wear_laws.md)"},
+       .help = "wear rate, from pressure p, sliding speed v, friction power q = f p v (q_mean: its "
+               "mean over the contact, in rolling), wear depth h, time t, sliding distance s, "
+               "initial position x0 y0 z0, k = wear.coefficient, f = "
+               "friction.coefficient, constants and tables (docs/wear_laws.md)"},
       real_key("wear.coefficient", "1/MPa", absent("no wear law reads k"), positive_quantity,
                "wear coefficient, k of wear.rate; needed by a law that reads it"),
       real_key("wear.constants.*", "", absent("no such constant"), any_quantity,

@@ -129,8 +129,9 @@ template <int dim>
 WearInput MortarTerm<dim>::wear_input_of(const Evaluation<dim>& at, const Side& side,
                                          const SideState& state) const {
   const double p = state.pressure(), v = state.speed();
-  return wear_input(patch(side), Vector<4>(p, v, depth(at, side), pair(side).friction * p * v),
-                    moment(at, side));
+  Vector<5> variables;
+  variables << p, v, depth(at, side), pair(side).friction * p * v, 0;
+  return wear_input(patch(side), variables, moment(at, side));
 }
 
 template <int dim>

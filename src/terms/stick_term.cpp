@@ -6,10 +6,10 @@ namespace gnomon {
 
 namespace {
 
-/// lambda | lambda_T | q | q before | u | parts of the place before | lambda before | shape of the
-/// patch
+/// lambda | lambda_T | q | q before | u | parts of the place before | lambda before | mean of q |
+/// shape of the patch
 template <int dim>
-inline constexpr int most_columns = 2 + 4 * dim + 2 * most_partner_unknowns + dim* max_patch_nodes;
+inline constexpr int most_columns = 3 + 4 * dim + 2 * most_partner_unknowns + dim* max_patch_nodes;
 
 template <int dim>
 using Dual =
@@ -54,6 +54,8 @@ StickTerm<dim>::StickTerm(const StickState<dim>& state, FieldId d, const Numberi
     q_numbers_.push_back(numbering.number(contact.q, k));
     q_before_numbers_.push_back(state.q_before ? numbering.number(*state.q_before, k) : -1);
   }
+  if (contact.mean_power != FieldId::none)
+    mean_number_.push_back(numbering.number(contact.mean_power, 0));
 }
 
 template <int dim>
@@ -62,7 +64,7 @@ double StickTerm<dim>::weight(int c) const {
   return contact.part * (contact.wear_weight.empty() ? 1 : contact.wear_weight[c]);
 }
 
-/// u | lambda | lambda_T | d (wear) | q
+/// u | lambda | lambda_T | d (wear) | q | mean of q
 template <int dim>
 std::vector<int> StickTerm<dim>::row_numbers(int c) const {
   const ContactPatch<dim>& patch = state_.contact.patches[c];
@@ -72,6 +74,7 @@ std::vector<int> StickTerm<dim>::row_numbers(int c) const {
   append_row(rows, traction_numbers_.row(c));
   for (int i = 0; i < dim; ++i) rows.push_back(patch.may_move() ? d_numbers_(patch.node, i) : -1);
   append(rows, q_numbers_);
+  append(rows, mean_number_);
   return rows;
 }
 
@@ -85,6 +88,7 @@ std::vector<int> StickTerm<dim>::column_numbers(int c) const {
   append_row(columns, u_numbers_.row(patch.node));
   append(columns, before_numbers_[c]);
   columns.push_back(lambda_before_numbers_[c]);
+  append(columns, mean_number_);
   for (const int node : patch.nodes) append_row(columns, d_numbers_.row(node));
   return columns;
 }
@@ -144,6 +148,7 @@ StickInput<dim, Scalar> StickTerm<dim>::gather(const Evaluation<dim>& at, int c)
     u.row(p) = at.values.vector(contact.u).row(node);
   }
   IndependentVariables<Scalar> variable(2 + 2 * dim + 2 * std::ssize(guides) +
+                                        std::ssize(mean_number_) +
                                         dim * (std::ssize(parts) + size));
   StickInput<dim, Scalar> input;
   input.contact.lambda = variable(at.values.scalar(contact.lambda)[c]);
@@ -158,6 +163,8 @@ StickInput<dim, Scalar> StickTerm<dim>::gather(const Evaluation<dim>& at, int c)
     input.before +=
         Scalar(part.factor) * variable(at.values.vector(part.field).row(part.row).transpose());
   input.lambda_before = variable(at.values.scalar(state_.lambda_before)[c]);
+  if (!mean_number_.empty())
+    input.contact.mean_power = variable(at.values.scalar(contact.mean_power)[0]);
   input.contact.X = variable(X);
   input.contact.moment = {.time = at.t, .slid = contact.nominal_speed * at.t, .within = at.within};
   input.contact.clearance = contact.clearance(at);
@@ -205,7 +212,7 @@ void StickTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> F
     const std::vector<int> rows = row_numbers(c);
     Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
     values << contact.force, contact.constraint, met.constraint, -weight(c) * contact.velocity,
-        contact.partner;
+        contact.partner, Eigen::VectorXd::Constant(std::ssize(mean_number_), met.lacks);
     for (std::size_t k = 0; k < rows.size(); ++k)
       if (rows[k] >= 0) F[rows[k]] += values[static_cast<Eigen::Index>(k)];
     if (!state_.is_last) continue;
@@ -222,7 +229,8 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
                                       branch(at, c));
   const Eigen::Index guides = input.contact.q.size(),
                      columns = input.contact.lambda.derivatives().size();
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(1 + 4 * dim + guides, columns);
+  Eigen::MatrixXd K =
+      Eigen::MatrixXd::Zero(1 + 4 * dim + guides + std::ssize(mean_number_), columns);
   Eigen::Index row = 0;
   const auto put = [&](const Dual<dim>& value, double factor = 1) {
     if (value.derivatives().size() > 0) K.row(row) = factor * value.derivatives().transpose();
@@ -233,6 +241,7 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
   for (int i = 0; i < dim; ++i) put(met.constraint[i]);
   for (int i = 0; i < dim; ++i) put(met.contact.velocity[i], -weight(c));
   for (Eigen::Index k = 0; k < guides; ++k) put(met.contact.partner[k]);
+  if (!mean_number_.empty()) put(met.lacks);
   for (int i = 0; i < dim; ++i) put(met.place[i]);
   return K;
 }

@@ -19,7 +19,7 @@ auto plain(const T& x) {
 }
 
 /// A function of the vector z, a number or a vector, given by its value and derivative at z; exact
-/// in value and first derivatives.
+/// in value and first derivatives. Entries of z that carry no derivatives are constants.
 template <class Value, class Derivative, class Z>
 auto lift(const Value& value, const Derivative& by_z, const Z& z) {
   using Scalar = typename Z::Scalar;
@@ -27,7 +27,8 @@ auto lift(const Value& value, const Derivative& by_z, const Z& z) {
     return value;
   } else if constexpr (std::is_same_v<Value, double>) {
     Scalar result(value);
-    for (Eigen::Index i = 0; i < z.size(); ++i) result += by_z[i] * (z[i] - z[i].value());
+    for (Eigen::Index i = 0; i < z.size(); ++i)
+      if (z[i].derivatives().size() > 0) result += by_z[i] * (z[i] - z[i].value());
     return result;
   } else {
     Eigen::Matrix<Scalar, Value::RowsAtCompileTime, 1> result;

@@ -21,13 +21,16 @@ struct WornBodyFields {
   FieldId mu = FieldId::none;      ///< shape multiplier, contact nodes; only in that form
   FieldId w =
       FieldId::none;  ///< rigid motion of the counter-body: a value for each guide that is free
-  FieldId traction = FieldId::none;  ///< lambda_T, contact nodes; only where friction may stick
-  FieldId place = FieldId::none;     ///< r, contact nodes; only there, in pairs
-  FieldId creepage = FieldId::none;  ///< xi, of pairs that roll under a force along the contact
-  FieldId memory = FieldId::none;    ///< s, that of all phases; differential; only there
+  FieldId traction = FieldId::none;    ///< lambda_T, contact nodes; only where friction may stick
+  FieldId place = FieldId::none;       ///< r, contact nodes; only there, in pairs
+  FieldId creepage = FieldId::none;    ///< xi, of pairs that roll under a force along the contact
+  FieldId memory = FieldId::none;      ///< s, that of all phases; differential; only there
+  FieldId mean_power = FieldId::none;  ///< q_mean of each contact, of laws that read it in rolling
 
   /// Those of a phase alone.
-  std::array<FieldId, 6> of_phase() const { return {u, lambda, w, traction, place, creepage}; }
+  std::array<FieldId, 7> of_phase() const {
+    return {u, lambda, w, traction, place, creepage, mean_power};
+  }
 };
 
 /// Copies what a phase has alone to a phase of other equations, of the same kind.
@@ -65,6 +68,7 @@ std::size_t nearest_instant(const Assembly<dim>& assembly, double position);
 ///   lambda           C_N, eq. 26                                                        [length]
 ///   lambda_T, r, s   where friction may stick: stick_node.hpp, stick_term.hpp, mortar_term.hpp
 ///   w                contact force on the counter-body - applied force, by guide        [force]
+///   q_mean           sum A (q_mean - q) over the closed nodes; of laws that read it [power]
 ///   d (interior)     auxiliary equilibrium, eq. 20                                      [force]
 ///   d (contact)      ddot + Wdot N, eq. 14                                        [length/time]
 ///   mu               auxiliary equilibrium minus A^ mu, eq. 22 (multiplier form)        [force]

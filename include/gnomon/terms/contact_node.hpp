@@ -48,7 +48,12 @@ struct ContactInput {
   PartnerMotion<Scalar> q{};  ///< of the partner
   WearMoment moment = {};     ///< read by the wear law, and by a counter-body that turns
   double clearance = 0;       ///< in a load ramp, a part of the gap [length]
+  Scalar mean_power{0};       ///< q_mean of the wear law, in rolling [stress length / time]
 };
+
+/// The part of all nodes in the row of the mean of q over the closed ones, which has a solution
+/// where nothing touches.
+inline constexpr double mean_of_nothing = 1e-12;
 
 /// The smooth branch of a contact node.
 struct NodeBranch {
@@ -83,7 +88,7 @@ struct ContactKinematics {
   Vector<dim, Scalar> relative;     ///< F V - v^2 [length / time]
   UnilateralContact<Scalar> contact;
   Sliding<dim, Scalar> sliding;
-  Vector<4, Scalar> wear;  ///< p, v, h and q of the wear law
+  Vector<5, Scalar> wear;  ///< wear_variables()
 
   ContactKinematics(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
                     const ContactInput<dim, Scalar>& at, const NodeBranch& branch = {});
@@ -175,13 +180,15 @@ Scalar worn_depth(const ContactPatch<dim>& patch, const PatchNodal<dim, Scalar>&
   return -d.dot(patch.initial_normal.template cast<Scalar>());
 }
 
-/// p, v, h and q of a contact node.
+/// p, v, h, q and q_mean of a contact node.
 template <int dim, class Scalar>
-Vector<4, Scalar> wear_variables(const ContactPatch<dim>& patch,
+Vector<5, Scalar> wear_variables(const ContactPatch<dim>& patch,
                                  const ContactInput<dim, Scalar>& at, const Scalar& friction,
                                  const Scalar& pressure, const Scalar& speed) {
-  return {pressure, speed, worn_depth<dim, Scalar>(patch, at.X),
-          Scalar(friction * pressure * speed)};
+  Vector<5, Scalar> variables;
+  variables << pressure, speed, worn_depth<dim, Scalar>(patch, at.X),
+      Scalar(friction * pressure * speed), at.mean_power;
+  return variables;
 }
 
 /// With zeros beyond `dim`.
@@ -193,14 +200,23 @@ std::array<double, 3> initial_position_of(const ContactPatch<dim>& patch) {
 }
 
 template <int dim>
-WearInput wear_input(const ContactPatch<dim>& patch, const Vector<4>& variables,
+WearInput wear_input(const ContactPatch<dim>& patch, const Vector<5>& variables,
                      const WearMoment& moment) {
   return {.pressure = variables[0],
           .speed = variables[1],
           .depth = variables[2],
           .friction_power = variables[3],
+          .mean_friction_power = variables[4],
           .moment = moment,
           .initial = initial_position_of<dim>(patch)};
+}
+
+/// By wear_variables().
+inline Vector<5> gradient(const WearRate& rate) {
+  Vector<5> by;
+  by << rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power,
+      rate.by_mean_friction_power;
+  return by;
 }
 
 template <int dim, class Scalar>
@@ -250,10 +266,7 @@ ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,
   if (active) {  // an open node does not wear
     const WearRate rate =
         parameters.wear.rate(wear_input(patch, plain(met.wear), at.moment), branch.wear);
-    wear_rate =
-        lift(rate.value,
-             Vector<4>(rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power),
-             met.wear);
+    wear_rate = lift(rate.value, gradient(rate), met.wear);
     if (rate.value != 0) require_direction(patch, plain(surface.normal));
   }
   velocity = -wear_rate * (patch.shape_free.template cast<Scalar>() * surface.normal);

@@ -15,6 +15,7 @@ struct ContactState {
   FieldId u = FieldId::none;       ///< displacement, at all nodes of the mesh
   FieldId lambda = FieldId::none;  ///< contact multiplier, at the contact nodes
   FieldId q = FieldId::none;  ///< motion of the partner, at each of its guides; none: no motion
+  FieldId mean_power = FieldId::none;  ///< mean of q over the contact, of laws that read it
   const Mesh<dim>& mesh;
   ContactParameters<dim> parameters;  ///< those of all phases of a cycle but for the counter-body
   const std::vector<ContactPatch<dim>>& patches;

@@ -18,7 +18,10 @@
 //   force = A (lambda n + lambda_T)      row of u
 //   Wdot  = Wdot(p, v),  p the mean of this phase and the one before,  v = |Delta| / interval
 //
-// where it does not stick; what else a node has is that of contact_node.hpp.
+// where it does not stick; what else a node has is that of contact_node.hpp. In rolling a law may
+// read the mean m of q over the closed nodes, an unknown with the row
+//
+//   sum A (m - q) = 0
 #pragma once
 
 #include <gnomon/laws/friction_factor.hpp>
@@ -75,7 +78,8 @@ struct StickNode {
   Vector<dim, Scalar> constraint;    ///< C of lambda_T [length]
   Vector<dim, Scalar> place;         ///< r [length]
   std::array<double, 2> switching;   ///< lambda + rho g, |T^| - r
-  Vector<4, Scalar> wear;            ///< p, v, h and q of the wear law
+  Vector<5, Scalar> wear;            ///< wear_variables()
+  Scalar lacks{0};                   ///< A (m - q), of a closed node [force length / time]
 
   StickNode(const StickParameters<dim>& parameters, const ContactPatch<dim>& patch,
             const StickInput<dim, Scalar>& at, const StickBranch& branch = {});
@@ -182,17 +186,15 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   if (plain(pressure) > 0) {
     const WearRate rate =
         of.wear.rate(wear_input(patch, plain(wear), at.contact.moment), branch.contact.wear);
-    contact.wear_rate =
-        Scalar(parameters.share) *
-        lift(rate.value,
-             Vector<4>(rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power),
-             wear);
+    contact.wear_rate = Scalar(parameters.share) * lift(rate.value, gradient(rate), wear);
     // A node that has just opened wears by a pressure that may be no more than a rounding error.
     if (rate.value != 0 && contact.active && parameters.shape_is_unknown)
       require_direction(patch, plain(surface.normal));
   }
   contact.velocity =
       -contact.wear_rate * (patch.shape_free.template cast<Scalar>() * surface.normal);
+  lacks = surface.area * Scalar(mean_of_nothing * at.contact.mean_power);
+  if (met.contact.active) lacks += surface.area * Scalar(at.contact.mean_power - wear[3]);
 }
 
 }  // namespace gnomon

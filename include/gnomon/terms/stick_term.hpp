@@ -5,7 +5,7 @@
 //   sdot - (r - s) / period = 0
 //
 // so that s, the place at the end of a cycle, is that before the first phase of the next one
-// (slip_memory.hpp).
+// (slip_memory.hpp). In rolling there may be the row of the mean of q.
 #pragma once
 
 #include <gnomon/terms/contact_nodes.hpp>
@@ -70,6 +70,7 @@ private:
   NodalNumbers<dim> u_numbers_, d_numbers_, traction_numbers_, memory_numbers_;
   std::vector<std::vector<int>> before_numbers_;  // of each contact node
   std::vector<int> lambda_numbers_, lambda_before_numbers_, q_numbers_, q_before_numbers_;
+  std::vector<int> mean_number_;                 // of q over the contact; empty: no law reads it
   std::vector<std::size_t> first_switch_ = {0};  // of each node; last: their number
   std::vector<std::vector<int>> map_, memory_map_;
 };

@@ -1,0 +1,156 @@
+// Wear laws of rolling that read q_mean, the mean of the power of friction over the contact.
+#include <gnomon/model/wear_model.hpp>
+
+#include "stick/rolling_scenes.hpp"
+
+namespace gnomon::rolling_mean_test {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+
+constexpr const char* coarse = "mesh.file=coarse.geo";
+
+std::string rate(const std::string& law) {
+  return fmt::format("wear.rate=\"{}\"", law);
+}
+
+/// The creepage at which the whole contact slips.
+std::string full_slip() {
+  return fmt::format("creepage = [{}, 0.0]", 20 * Carter::f * Carter::a() / Carter::R);
+}
+
+std::vector<int> means(const Model& model) {
+  const Structure& structure = model.system().structure();
+  std::vector<int> unknowns;
+  for (int i = 0; i < structure.size; ++i)
+    if (structure.block_of(i).name == "mean_friction_power") unknowns.push_back(i);
+  return unknowns;
+}
+
+double mean_power(const Model& model, const State& state) {
+  return observed(model, state, "friction_power") / observed(model, state, "contact_area");
+}
+
+/// Whatever sticks, each closed node wears k times the mean, and the whole k times the power.
+TEST_F(RollingScenes, TheMeanWearsAsMuchAsThePower) {
+  for (const std::string& rolling : {std::string(), full_slip()}) {
+    const auto model = this->model(cylinder(rolling), {coarse, rate("k * q_mean")});
+    Counters counters;
+    const State start = model->start(counters);
+    ASSERT_EQ(means(*model).size(), 1u);
+    const double power = observed(*model, start, "friction_power");
+    EXPECT_GT(power, 0);
+    EXPECT_NEAR(start.y[means(*model).front()] / mean_power(*model, start), 1, 1e-8);
+    EXPECT_NEAR(observed(*model, start, "wear_flux") / (Carter::k * power), 1, 1e-8);
+    EXPECT_EQ(observed(*model, start, "stick_area") > 0, rolling.empty());
+  }
+}
+
+TEST_F(RollingScenes, AllIntegratorsFollowTheMean) {
+  for (const char* method : {"esdirk-3", "erk-2", "bdf"}) {
+    const auto model = this->model(cylinder(), {coarse, rate("k * q_mean")});
+    const ModelRun run = run_model(*model, method, 0, 1e-4, 1000);
+    const double area = Carter::k * observed(*model, run.last(), "friction_power") * 1000;
+    EXPECT_NEAR(observed(*model, run.last(), "worn_volume") / area, 1, 1e-5) << method;
+    EXPECT_NEAR(observed(*model, run.last(), "wear_depth") * Carter::path / area, 1, 1e-5);
+  }
+}
+
+/// A law that bends with T gamma / A = q_mean / V, by hand.
+TEST_F(RollingScenes, ALawBendsWithTheMean) {
+  Counters counters;
+  const auto plain = this->model(cylinder(full_slip()), {coarse, rate("k * q")});
+  const State start = plain->start(counters);
+  const double flux = observed(*plain, start, "wear_flux"), mean = mean_power(*plain, start);
+  const auto factor = [&](const std::string& law) {
+    const auto model = this->model(cylinder(full_slip()), {coarse, rate("k * q * " + law)});
+    return observed(*model, model->start(counters), "wear_flux") / flux;
+  };
+  EXPECT_NEAR(factor(fmt::format("if(q_mean < {}, 1, 3)", 1.01 * mean)), 1, 1e-8);
+  EXPECT_NEAR(factor(fmt::format("if(q_mean < {}, 1, 3)", 0.99 * mean)), 3, 1e-8);
+  EXPECT_NEAR(factor(fmt::format("(q_mean / {})^1.5", 4 * mean)), 0.125, 1e-8);
+}
+
+/// As the surface recedes by the depth h, it wears three times as fast until q_mean (1 - h / h0)
+/// has fallen to half the mean: at h0 / 2.
+TEST_F(RollingScenes, ARunPassesTheKinkOfAMean) {
+  Counters counters;
+  const auto plain = this->model(cylinder(), {coarse, rate("k * q")});
+  const State start = plain->start(counters);
+  const double mean = mean_power(*plain, start), time = 1000,
+               speed = observed(*plain, start, "wear_flux") / Carter::path, h0 = 2 * speed * time;
+  const auto model = this->model(
+      cylinder(),
+      {coarse, rate(fmt::format("k * q * if(q_mean * (1 - h / {}) < {}, 1, 3)", h0, 0.5 * mean))});
+  const double expected = h0 / 2 + speed * (time - h0 / 2 / (3 * speed));
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-5, time, true);
+  EXPECT_NEAR(observed(*model, run.last(), "wear_depth") / expected, 1, 1e-4);
+}
+
+TEST_F(RollingScenes, SolversAgreeOnTheMean) {
+  std::vector<double> worn;
+  for (const char* solver : {"block", "direct"}) {
+    const auto model = this->model(cylinder(), {coarse, rate("k * q * (1 + q_mean / 1e6)^2"),
+                                                fmt::format("solver.method={}", solver)});
+    const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-4, 1000);
+    worn.push_back(observed(*model, run.last(), "worn_volume"));
+    EXPECT_LE(double(run.counters.krylov_iterations), 4.0 * double(run.counters.linear_solves));
+  }
+  EXPECT_NEAR(worn[0] / worn[1], 1, 1e-6);
+}
+
+/// Beside that the derivatives by the mean, and of the mean, are not zero.
+void expect_jacobian_with_mean(const Model& model, const std::vector<double>& y, double relative) {
+  const ActiveSet branch = active_set(model.system(), 0, y);
+  check_jacobian(model.system(), 0, y, 0.2, &branch, relative);
+  const Structure& structure = model.system().structure();
+  std::vector<double> values(structure.pattern.nonzeros()), ydot(y.size());
+  model.system().jacobian({0, y, ydot, &branch}, 0.2, values);
+  const Eigen::MatrixXd J = dense(structure.pattern, values);
+  const int mean = means(model).front();
+  int by_mean = 0, of_mean = 0;
+  for (int i = 0; i < structure.size; ++i) {
+    by_mean += structure.differential[i] && J(i, mean) != 0;
+    of_mean += i != mean && J(mean, i) != 0;
+  }
+  EXPECT_GT(by_mean, 0);
+  EXPECT_GT(of_mean, 10);
+}
+
+TEST_F(RollingScenes, JacobianWithAMeanEqualsFiniteDifferences) {
+  for (const char* material : {"linear", "neo-hookean"}) {
+    const auto model = this->model(
+        cylinder("", 0.3), {coarse, "wear.coefficient=1e-6", rate("k * (q + q_mean * (1 + h))"),
+                            fmt::format("body.material={}", material)});
+    Counters counters;
+    std::vector<double> y = model->start(counters).y;
+    const Structure& structure = model->system().structure();
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] += 0.05 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
+    expect_jacobian_with_mean(*model, y, 1e-4);
+  }
+}
+
+TEST_F(RollingScenes, OnlyALawThatReadsAMeanHasTheUnknown) {
+  const auto size = [&](const std::string& law) {
+    return this->model(cylinder(), {coarse, rate(law)})->system().structure().size;
+  };
+  EXPECT_EQ(size("k * q"), size("k * p * v"));
+  EXPECT_EQ(size("k * q_mean"), size("k * q") + 1);
+}
+
+TEST_F(RollingScenes, AMeanIsOfRollingAlone) {
+  const char* message =
+      "wear.rate: expected no q_mean, the mean of q over the contact, without steady rolling";
+  expect_refused(Fretting::cylinder(), {rate("k * q_mean")}, message);
+  for (const char* scene : {"worn_body/pin.toml", "winkler/pin.toml"})
+    EXPECT_THAT(testing::refusal(scene, {rate("k * p * v * (1 + q_mean)")}), HasSubstr(message))
+        << scene;
+  expect_refused(cylinder(), {"friction.factor=\"1 + q_mean\""}, "got q_mean");
+  EXPECT_EQ(refusal(cylinder(), {rate("k * q * if(q_mean < 100, 1, 3)")}), "");
+  expect_refused(cylinder(), {rate("k * (q_mean + 1)")}, "expected no wear without pressure");
+}
+
+}  // namespace
+}  // namespace gnomon::rolling_mean_test
