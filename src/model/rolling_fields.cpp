@@ -20,13 +20,15 @@ template <int dim>
 FieldId add_mean_power(const Assembly<dim>& body, const Scales& scales, FieldSet& set) {
   const auto reads = [](const Surface<dim>& surface) { return surface.wear.reads_mean(); };
   if (std::ranges::none_of(body.interface.surfaces, reads)) return FieldId::none;
-  const double power = body.interface.friction * body.nominal_speed();
+  double friction = body.interface.friction;
+  for (const MortarPair<dim>& pair : body.pairs) friction = std::max(friction, pair.friction);
   const int block = set.add({"mean_friction_power", "q_mean", "contacts", Role::rigid});
   const auto at_no_node = static_cast<int>(body.mesh.nodes.size());
-  Field mean("mean_friction_power", {at_no_node}, 1);
+  Field mean("mean_friction_power",
+             std::vector<int>(std::max<std::size_t>(1, body.pairs.size()), at_no_node), 1);
   mean.block.setConstant(block);
-  mean.row_scale.setConstant(power * scales.force);
-  mean.unknown_scale.setConstant(power * scales.stress);
+  mean.row_scale.setConstant(friction * body.nominal_speed() * scales.force);
+  mean.unknown_scale.setConstant(friction * body.nominal_speed() * scales.stress);
   return set.add(std::move(mean));
 }
 

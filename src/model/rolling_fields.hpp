@@ -10,8 +10,8 @@ namespace gnomon {
 template <int dim>
 FieldId add_creepage(const Assembly<dim>& body, const Scales& scales, FieldSet& set);
 
-/// The mean of the power of friction over the contact with a rigid partner; none where no wear law
-/// reads it.
+/// The mean of the power of friction over each contact, of the rigid partner or of each pair; none
+/// where no wear law reads it.
 template <int dim>
 FieldId add_mean_power(const Assembly<dim>& body, const Scales& scales, FieldSet& set);
 

@@ -48,6 +48,7 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
   MortarState<dim> state{.u = fields.u,
                          .lambda = fields.lambda,
                          .d = fields.d,
+                         .mean_power = fields.mean_power,
                          .mesh = body.mesh,
                          .patches = body.contact_nodes,
                          .pairs = body.pairs,

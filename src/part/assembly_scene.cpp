@@ -191,7 +191,7 @@ WearCircumstances wear_circumstances(const AssemblyParts<dim>& parts) {
                        .duration = parts.scales.duration,
                        .depth = parts.scales.wear_depth,
                        .initial = {},
-                       .rolls = parts.interface.rolling && parts.pairs.empty()};
+                       .rolls = parts.interface.rolling.has_value()};
   for (const ContactPatch<dim>& patch : contact_nodes_of(parts)) {
     std::array<double, 3>& position = at.initial.emplace_back();
     std::copy(patch.initial_position.begin(), patch.initial_position.end(), position.begin());

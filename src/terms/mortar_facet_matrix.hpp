@@ -64,6 +64,7 @@ public:
         columns_(dim * std::ssize(nodes.all)) {
     const auto rows = static_cast<int>(nodes.rows);
     K_ = Eigen::MatrixXd::Zero(constraints_ + 2 * size * rows, corners * own_ + 2 * columns_);
+    mean_ = Eigen::RowVectorXd::Zero(K_.cols());
     // A change of d moves the undeformed position and, with it, the current one.
     G_ = Eigen::MatrixXd::Zero(tangent.by_input.rows(), 2 * columns_);
     constexpr int X = 0, x = corners * dim, y = Tangent::own;
@@ -159,7 +160,18 @@ public:
     K_.block(row, corners * own_, dim, 2 * columns_) += by_speed * W * direction * speed_by_[a];
   }
 
+  /// What a corner adds to the mean of q: by its area, and per area by its pressure and speed.
+  void add_to_mean(int a, double by_area, double by_pressure, double by_speed) {
+    const double D = tangent_.facet.D[a];
+    const MortarTraction<dim>& of = *traction_[a];
+    mean_.tail(2 * columns_) += by_area * G_.row(a) + D * by_speed * speed_by_[a];
+    mean_.segment(own_ * a, own_) +=
+        D * (by_pressure * of.pressure_by_own + by_speed * of.speed_by_own);
+  }
+
   const Eigen::MatrixXd& values() const { return K_; }
+  /// The row of the mean of q.
+  const Eigen::RowVectorXd& mean() const { return mean_; }
   /// The sum of the rows of u of the corners.
   Eigen::MatrixXd force_on_slave() const {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(dim, K_.cols());
@@ -194,6 +206,7 @@ private:
   Eigen::Index own_, constraints_, columns_;
   Eigen::MatrixXd G_, K_;  // G: derivatives of the facet's sums by u and d of all nodes
   std::array<const MortarTraction<dim>*, corners> traction_{};
+  Eigen::RowVectorXd mean_;
   std::array<Wide, corners> traction_by_;  // by u and d of all nodes
   std::array<Eigen::RowVectorXd, corners> speed_by_;
 };

@@ -18,13 +18,16 @@ void MortarTerm<dim>::add(const std::vector<int>& rows, const std::vector<int>& 
 
 /// What does not depend on the sums of single facets.
 template <int dim>
-void MortarTerm<dim>::add_side(const Side& side, const SideState& state,
+void MortarTerm<dim>::add_side(const Evaluation<dim>& at, const Side& side, const SideState& state,
                                std::span<double> values) const {
   const ContactPatch<dim>& own = patch(side);
   if (side.slave && !holds_gap(state)) {
     const int number = lambda_number(side);
     add({number}, {number}, Eigen::MatrixXd::Constant(1, 1, -1 / state_.rho), values);
   }
+  const std::vector<int> mean = mean_number(side.pair);
+  if (side.slave && !mean.empty())
+    add(mean, mean, Eigen::MatrixXd::Constant(1, 1, mean_part(at, side, state).by_mean), values);
   if (!state.direction) return;
   const Eigen::Index count = std::ssize(own.nodes);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(dim, 2 * count * dim);
@@ -38,6 +41,7 @@ void MortarTerm<dim>::add_side(const Side& side, const SideState& state,
   std::vector<int> rows;
   for (int i = 0; i < dim; ++i) rows.push_back(d_numbers_(own.node, i));
   add(rows, numbers_of(own.nodes, false), K, values);
+  add(rows, mean, state.rate.by_mean_friction_power * along, values);
 }
 
 /// What depends on the sums of a facet.
@@ -66,6 +70,9 @@ void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& fac
     if (slave.direction)
       matrix.add_slave_wear(a, weight(side) * slave.direction->value, slave.rate.value,
                             slave.rate_by_pressure, slave.rate_by_speed);
+    if (mean_numbers_.empty()) continue;
+    const MeanPart part = mean_part(at, side, slave);
+    matrix.add_to_mean(a, part.by_area, part.by_pressure, part.by_speed);
   }
   for (std::size_t k = 0; k < covering.size(); ++k)
     for (int b = 0; b < corners; ++b)
@@ -74,6 +81,7 @@ void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& fac
   const std::vector<int> columns = columns_of(facet, nodes);
   add(rows_of(facet, nodes), columns, matrix.values(), values);
   add(creepage_numbers_, columns, matrix.force_on_slave(), values);
+  add(mean_number(facet.pair), columns, matrix.mean(), values);
 }
 
 template <int dim>
@@ -102,7 +110,7 @@ void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight
                                    std::span<double> values) const {
   const Surfaces result = surfaces(at);
   for (std::size_t s = 0; s < sides_.size(); ++s) {
-    add_side(sides_[s], result.sides[s], values);
+    add_side(at, sides_[s], result.sides[s], values);
     if (state_.path && sides_[s].slave)
       add_path(at, sides_[s], result.sides[s], rate_weight, values);
   }

@@ -1,4 +1,4 @@
-// What friction that may stick adds to contact of pairs: rows of lambda_T, r and s.
+// What friction that may stick adds to contact of pairs: rows of lambda_T, r and s, and of q_mean.
 #include <gnomon/terms/mortar_term.hpp>
 
 namespace gnomon {
@@ -165,7 +165,30 @@ void MortarTerm<dim>::add_path(const Evaluation<dim>& at, const Side& side, cons
   }
 }
 
+template <int dim>
+double MortarTerm<dim>::mean_power(const Evaluation<dim>& at, const Side& side) const {
+  return mean_numbers_.empty() ? 0 : at.values.scalar(state_.mean_power)[side.pair];
+}
+
+template <int dim>
+typename MortarTerm<dim>::MeanPart MortarTerm<dim>::mean_part(const Evaluation<dim>& at,
+                                                              const Side& side,
+                                                              const SideState& state) const {
+  const double mean = mean_power(at, side), rest = mean_of_nothing * patch(side).initial_area;
+  if (!holds_gap(state)) return {.value = rest * mean, .by_mean = rest};
+  const double f = pair(side).friction, p = state.traction.pressure, v = state.traction.speed,
+               lacks = mean - f * p * v;
+  return {.value = rest * mean + state.area * lacks,
+          .by_mean = rest + state.area,
+          .by_area = lacks,
+          .by_pressure = -f * v,
+          .by_speed = -f * p};
+}
+
 template FacetNodal<2> MortarTerm<2>::labels_of(const Evaluation<2>&, int, int) const;
+template double MortarTerm<2>::mean_power(const Evaluation<2>&, const Side&) const;
+template MortarTerm<2>::MeanPart MortarTerm<2>::mean_part(const Evaluation<2>&, const Side&,
+                                                          const SideState&) const;
 template void MortarTerm<2>::find_sticking(const Evaluation<2>&, const Side&, SideState&) const;
 template NodalField<2> MortarTerm<2>::places(const Evaluation<2>&) const;
 template void MortarTerm<2>::declare_path(const Side&, PatternBuilder&) const;
@@ -174,6 +197,9 @@ template void MortarTerm<2>::add_path_residual(const Evaluation<2>&, const Side&
 template void MortarTerm<2>::add_path(const Evaluation<2>&, const Side&, const SideState&, double,
                                       std::span<double>) const;
 template FacetNodal<3> MortarTerm<3>::labels_of(const Evaluation<3>&, int, int) const;
+template double MortarTerm<3>::mean_power(const Evaluation<3>&, const Side&) const;
+template MortarTerm<3>::MeanPart MortarTerm<3>::mean_part(const Evaluation<3>&, const Side&,
+                                                          const SideState&) const;
 template void MortarTerm<3>::find_sticking(const Evaluation<3>&, const Side&, SideState&) const;
 template NodalField<3> MortarTerm<3>::places(const Evaluation<3>&) const;
 template void MortarTerm<3>::declare_path(const Side&, PatternBuilder&) const;

@@ -130,7 +130,7 @@ WearInput MortarTerm<dim>::wear_input_of(const Evaluation<dim>& at, const Side& 
                                          const SideState& state) const {
   const double p = state.pressure(), v = state.speed();
   Vector<5> variables;
-  variables << p, v, depth(at, side), pair(side).friction * p * v, 0;
+  variables << p, v, depth(at, side), pair(side).friction * p * v, mean_power(at, side);
   return wear_input(patch(side), variables, moment(at, side));
 }
 
@@ -145,8 +145,9 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
   const double friction = pair(side).friction;
   state.rate = law(side).rate(wear_input_of(at, side, state), law_branch(at, side));
   const double share = state_.path ? state_.path->share : 1;
-  for (double* of : {&state.rate.value, &state.rate.by_pressure, &state.rate.by_speed,
-                     &state.rate.by_depth, &state.rate.by_friction_power})
+  for (double* of :
+       {&state.rate.value, &state.rate.by_pressure, &state.rate.by_speed, &state.rate.by_depth,
+        &state.rate.by_friction_power, &state.rate.by_mean_friction_power})
     *of *= share;
   state.rate_by_pressure =
       state.rate.by_pressure + friction * state.speed() * state.rate.by_friction_power;

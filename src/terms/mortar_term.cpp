@@ -38,6 +38,8 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
   if (state.path && state.path->creepage != FieldId::none)
     for (int i = 0; i < dim; ++i)
       creepage_numbers_.push_back(numbering.number(state.path->creepage, 0, i));
+  for (std::size_t p = 0; state.mean_power != FieldId::none && p < state.pairs.size(); ++p)
+    mean_numbers_.push_back(numbering.number(state.mean_power, static_cast<Eigen::Index>(p)));
   if (state.path && state.path->is_last)
     memory_numbers_ = numbering.nodal<dim>(state.path->memory.s);
   for (const MortarPair<dim>& pair : state.pairs) places_.emplace_back(pair, state.places);
@@ -145,8 +147,10 @@ void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pat
     for (int i = 0; state_.path && i < dim; ++i) constraints.push_back(place_number(side, i));
   }
   pattern.add(constraints, numbers_of(joined.all, false));
-  pattern.add(creepage_numbers_, own_columns);
-  pattern.add(creepage_numbers_, numbers_of(joined.all, false));
+  for (const std::vector<int>& sums : {creepage_numbers_, mean_number(facet.pair)}) {
+    pattern.add(sums, own_columns);
+    pattern.add(sums, numbers_of(joined.all, false));
+  }
   pattern.add(numbers_of(masters, true), own_columns);
   nodes.add(own, joined.all);
   nodes.add(masters, own);
@@ -184,6 +188,7 @@ void MortarTerm<dim>::declare(TermStructure& structure) const {
   for (const Side& side : sides_) {
     const std::vector<int> rows = numbers_of({patch(side).node}, true);
     structure.pattern.add(rows, numbers_of(patch(side).nodes, false));
+    structure.pattern.add(rows, mean_number(side.pair));
     if (side.slave && state_.path) declare_path(side, structure.pattern);
     declare_switches(patch(side).node, static_cast<std::size_t>(contact_switches(side)), law(side),
                      structure);
@@ -214,6 +219,8 @@ void MortarTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> 
     if (!side.slave) continue;
     for (std::size_t i = 0; i < creepage_numbers_.size(); ++i)
       if (const int row = creepage_numbers_[i]; row >= 0) F[row] += state.force[long(i)];
+    for (const int row : mean_number(side.pair))
+      if (row >= 0) F[row] += mean_part(at, side, state).value;
     if (state_.path) add_path_residual(at, side, state, F);
     if (const int row = lambda_number(side); row >= 0)
       F[row] += holds_gap(state) ? state.gap / own.initial_area

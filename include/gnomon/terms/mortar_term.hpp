@@ -29,6 +29,11 @@
 // difference of the velocities may have unknown components |V| xi, each with a row
 //
 //   xi        sum_i D_i tau_i lambda_i - F = 0, of all slaves, along the component
+//
+// Wear laws of the surfaces of a pair may read the mean of q over its contact, an unknown of the
+// pair,
+//
+//   q_mean    sum_i D_i (q_mean - q_i) = 0, of the slave nodes in contact
 #pragma once
 
 #include <algorithm>
@@ -52,9 +57,10 @@ struct MortarPath : StickingFriction<dim> {
 /// All pairs of an assembly in one contact state. The referenced objects must outlive the term.
 template <int dim>
 struct MortarState {
-  FieldId u = FieldId::none;       ///< displacement, at all nodes of the mesh
-  FieldId lambda = FieldId::none;  ///< contact multiplier, at the contact nodes of slaves
-  FieldId d = FieldId::none;       ///< shape; none: wear does not move the mesh
+  FieldId u = FieldId::none;           ///< displacement, at all nodes of the mesh
+  FieldId lambda = FieldId::none;      ///< contact multiplier, at the contact nodes of slaves
+  FieldId d = FieldId::none;           ///< shape; none: wear does not move the mesh
+  FieldId mean_power = FieldId::none;  ///< q_mean of each pair, of laws that read it in rolling
   const Mesh<dim>& mesh;
   const std::vector<ContactPatch<dim>>& patches;  ///< of slaves and masters, ascending nodes
   const std::vector<MortarPair<dim>>& pairs;
@@ -130,6 +136,10 @@ private:
     /// Shares of area may be negative by rounding.
     double speed() const { return rubbing > 0 ? std::max(0.0, power / rubbing) : 0; }
   };
+  /// What a slave adds to the row of the mean of q, and by what this changes.
+  struct MeanPart {
+    double value = 0, by_mean = 0, by_area = 0, by_pressure = 0, by_speed = 0;
+  };
   /// All sums at a state.
   struct Surfaces {
     std::vector<SideState> sides;
@@ -152,10 +162,13 @@ private:
   void add_facets(const Evaluation<dim>& at, Surfaces& result) const;
   void find_traction(const Evaluation<dim>& at, const Side& side, SideState& state) const;
   void add_masters(Surfaces& result) const;
+  double mean_power(const Evaluation<dim>& at, const Side& side) const;
+  MeanPart mean_part(const Evaluation<dim>& at, const Side& side, const SideState& state) const;
   WearInput wear_input_of(const Evaluation<dim>& at, const Side& side,
                           const SideState& state) const;
   void find_wear(const Evaluation<dim>& at, const Side& side, SideState& state) const;
-  void add_side(const Side& side, const SideState& state, std::span<double> values) const;
+  void add_side(const Evaluation<dim>& at, const Side& side, const SideState& state,
+                std::span<double> values) const;
   void declare_path(const Side& side, PatternBuilder& pattern) const;
   double depth(const Evaluation<dim>& at, const Side& side) const;
   WearMoment moment(const Evaluation<dim>& at, const Side& side) const;
@@ -197,6 +210,11 @@ private:
     if (at.branch.empty()) return {};
     return at.branch.subspan(side.first_switch + contact_switches(side), law(side).kinks());
   }
+  /// Of the mean of q over the contact of a pair: one number, or none.
+  std::vector<int> mean_number(int pair) const {
+    if (mean_numbers_.empty()) return {};
+    return {mean_numbers_[static_cast<std::size_t>(pair)]};
+  }
   int lambda_number(const Side& side) const { return own_numbers_[side.node].front(); }
   int traction_number(const Side& side, int i) const { return own_numbers_[side.node][1 + i]; }
   int place_number(const Side& side, int i) const { return own_numbers_[side.node][1 + dim + i]; }
@@ -216,6 +234,7 @@ private:
   std::vector<std::vector<int>> own_numbers_;  // of each contact node: those of its traction;
                                                // masters: -1
   std::vector<int> creepage_numbers_;          // by component; empty: all are given
+  std::vector<int> mean_numbers_;              // by pair; empty: no law reads a mean
   std::size_t most_parts_ = 0;                 // of a place before
   NodalNumbers<dim> memory_numbers_;           // of the last phase of a path
   std::vector<int> contact_of_;                // by mesh node; -1: none
