@@ -53,6 +53,20 @@ Shared at_start(const Shared& model) {
   return std::make_shared<SharedModel>(*model, nullptr);
 }
 
+/// Lets other threads use the models of a run while its callback runs, which may wait for them.
+/// Begins and ends without the interpreter's lock.
+class TurnOfOthers {
+public:
+  explicit TurnOfOthers(std::shared_ptr<std::recursive_mutex> busy) : busy_(std::move(busy)) {
+    busy_->unlock();
+  }
+  ~TurnOfOthers() { busy_->lock(); }
+  TurnOfOthers(const TurnOfOthers&) = delete;
+
+private:
+  std::shared_ptr<std::recursive_mutex> busy_;
+};
+
 /// The hooks of one run; what a callback or a signal raises ends the run and is raised after it.
 class Callbacks {
 public:
@@ -79,6 +93,7 @@ private:
   void step(const HistoryRow& row) {
     rows_.push_back(row);
     if (on_step_.is_none()) return;
+    const TurnOfOthers others(model_->busy);
     const py::gil_scoped_acquire interpreter;
     try {
       const py::object answer = on_step_(StepView{model_, row, state_});

@@ -1,5 +1,6 @@
 """Wrong uses end in a typed exception, never in a crash."""
 
+import concurrent.futures
 import copy
 import gc
 import multiprocessing
@@ -157,6 +158,38 @@ def test_a_callback_that_runs_its_own_model(springs):
 
     assert gnomon.run(model, on_step=on_step).status == "interrupted"
     assert inner == ["interrupted"]
+
+
+def test_a_callback_that_waits_for_a_thread_with_its_model(springs):
+    model = gnomon.Model(springs)
+    seen = []
+    with concurrent.futures.ThreadPoolExecutor(1) as other:
+        def on_step(step):
+            seen.append(other.submit(model.contact, step.state).result(timeout=60)["pressure"].max())
+            return len(seen) == 3
+
+        assert gnomon.run(model, on_step=on_step).status == "interrupted"
+    assert len(seen) == 3 and min(seen) > 0
+
+
+def test_two_runs_whose_callbacks_use_the_model_of_the_other(springs):
+    models = [gnomon.Model(springs), gnomon.Model(springs)]
+    start, both, ended = models[0].start(), threading.Barrier(2, timeout=60), []
+
+    def work(own, other):
+        def on_step(step):
+            both.wait()
+            other.observe(start)
+            return True
+
+        ended.append(gnomon.run(own, on_step=on_step).status)
+
+    threads = [threading.Thread(target=work, args=pair, daemon=True) for pair in (models, models[::-1])]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join(60)
+    assert ended == 2 * ["interrupted"]
 
 
 def test_threads_on_one_model_and_on_their_own(springs, tmp_path):
