@@ -56,6 +56,9 @@ int guarded(CommandLine& command_line, int argc, char** argv) {
   } catch (const std::exception& error) {
     complain(error.what());
     return other_failure;
+  } catch (...) {
+    complain("a plug-in threw something that is no std::exception");
+    return other_failure;
   }
 }
 

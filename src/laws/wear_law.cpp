@@ -35,6 +35,18 @@ Reflection of_mean(const WearInput& at) {
   return of;
 }
 
+/// What is no std::exception would pass everything that tells of errors; a plug-in may throw it.
+template <class Action>
+auto asked(Action&& action) {
+  try {
+    return action();
+  } catch (const std::exception&) {
+    throw;
+  } catch (...) {
+    throw Error("the wear law threw something that is no std::exception");
+  }
+}
+
 /// Of a depth that is negative by the rounding of positions alone.
 bool is_of_rounded_depth(const WearInput& at) {
   constexpr double roundings = 1e-12;
@@ -110,7 +122,7 @@ WearRate WearLaw::continued(const WearInput& at, std::span<const char> branches)
       rate.*each = 2 * zero.*each - rate.*each;
     return rate;
   }
-  WearRate rate = definition_->rate(at, branches);
+  WearRate rate = asked([&] { return definition_->rate(at, branches); });
   without_slope_at_zero(at, rate);
   return rate;
 }
@@ -138,7 +150,8 @@ void WearLaw::switching(const WearInput& at, std::span<double> values,
                         std::span<const char> branches) const {
   if (kinks() == 0) return;
   const bool presses = at.pressure >= 0;
-  if (presses && at.mean_friction_power >= 0) return definition_->switching(at, branches, values);
+  if (presses && at.mean_friction_power >= 0)
+    return asked([&] { definition_->switching(at, branches, values); });
   const Reflection of = presses ? of_mean(at) : of_pressure(at);
   std::vector<double> zero(values.size());
   switching(of.zero, zero, branches);

@@ -95,6 +95,19 @@ TEST(OwnWearLaw, SharesAKeyOnlyWithTheSameDefault) {
   EXPECT_THAT(pin_scene({}).resolved(), Not(HasSubstr("shared")));
 }
 
+// It would pass everything that tells of errors, and end the program.
+TEST(OwnWearLaw, MayThrowWhatIsNoException) {
+  const WearLaw law({.rate = [](auto&&...) -> WearRate { throw 42; },
+                     .kinks = 1,
+                     .switching = [](auto&&...) { throw "text"; }});
+  const auto told = ThrowsMessage<Error>(HasSubstr("the wear law threw something"));
+  for (const double pressure : {1.0, -1.0}) {
+    double value = 0;
+    EXPECT_THAT([&] { law.rate({.pressure = pressure}); }, told);
+    EXPECT_THAT([&] { law.switching({.pressure = pressure}, {&value, 1}); }, told);
+  }
+}
+
 // It would end in a call of nothing, in the middle of a run.
 TEST(OwnWearLaw, IsRefusedWithoutItsFunctions) {
   const auto refused = [](auto&& make, const std::string& reason) {

@@ -177,6 +177,11 @@ bad_plugins() {
   refused "nowhere.so: there is no such file" "$gnomon" --plugin nowhere.so list laws
   refused "empty.so: registers nothing" "$gnomon" --plugin bad_plugins/empty.so list laws
   refused "nothing.so: \"nothing\" is registered without .make." "$gnomon" --plugin bad_plugins/nothing.so list laws
+  local code=0 text
+  text=$("$gnomon" --plugin bad_plugins/throws.so run "$source/problems/winkler/pin.toml" --quiet --force -o throws.h5 \
+    --integrator throws 2>&1) || code=$?
+  ((code == 1)) || fail "exit code $code, expected 1, where a plug-in throws a number"
+  expect "^gnomon: a plug-in threw something" "$text"
   refused "twice.so: \"archard\" is registered twice" "$gnomon" --plugin bad_plugins/twice.so list laws
   refused "GNOMON_PLUGINS: plug-in nowhere.so" env GNOMON_PLUGINS=nowhere.so "$gnomon" list laws
 }
