@@ -5,6 +5,7 @@ import copy
 import functools
 import os
 import pathlib
+import re
 import tomllib
 
 from gnomon import _gnomon
@@ -18,7 +19,7 @@ def toml_value(value):
         return "true" if value else "false"
     if isinstance(value, str):
         escaped = value.replace("\\", "\\\\").replace('"', '\\"')
-        escaped = "".join(c if c.isprintable() else f"\\u{ord(c):04x}" for c in escaped)
+        escaped = "".join(c if c.isprintable() else f"\\U{ord(c):08x}" for c in escaped)
         return f'"{escaped}"'
     if isinstance(value, (list, tuple)) or hasattr(value, "tolist") and getattr(value, "ndim", 0):
         return "[" + ", ".join(toml_value(entry) for entry in value) + "]"
@@ -34,13 +35,30 @@ def _toml_key(name):
     return name if bare else toml_value(name)
 
 
+def _unquoted(part):
+    try:
+        return tomllib.loads(f"name = {part}")["name"] if part.startswith('"') else part
+    except tomllib.TOMLDecodeError:
+        return part
+
+
+def _parts(key):
+    """Those of a dotted name, as in the commands: wear.surfaces."a.b".rate has four."""
+    return [_unquoted(part) for part in re.findall(r'(?:^|\.)("(?:[^"\\]|\\.)*"(?=\.|$)|[^.]*)', key)]
+
+
+def _is_group(path, value):
+    """The names of surfaces are those of a mesh, which may have dots."""
+    return path == ("wear", "surfaces") and isinstance(value, dict)
+
+
 def _toml_lines(table, path=()):
     """`table` with nested tables and dotted names, as lines KEY = VALUE; lists of tables as [[TABLE]] after them."""
     lines, behind = [], []
     for name, value in table.items():
         if not isinstance(name, str):
             raise _gnomon.InputError(f"a key of a scene: expected a text, got {name!r}")
-        here = path + (name,)
+        here = path + ((name,) if _is_group(path, value) else tuple(_parts(name)))
         if isinstance(value, dict):
             more, later = _toml_lines(value, here)
             lines += more
@@ -50,9 +68,7 @@ def _toml_lines(table, path=()):
                 more, later = _toml_lines(entry)
                 behind += [f"[[{'.'.join(map(_toml_key, here))}]]"] + more + later
         else:
-            # A dotted name is a path, as in the commands: "body.young_modulus".
-            parts = [part for word in here for part in ([word] if word in ("",) else word.split("."))]
-            lines.append(f"{'.'.join(map(_toml_key, parts))} = {toml_value(value)}")
+            lines.append(f"{'.'.join(map(_toml_key, here))} = {toml_value(value)}")
     return lines, behind
 
 
@@ -102,7 +118,8 @@ class Scene(_gnomon.Scene):
 
     @classmethod
     def from_dict(cls, values, set=None, name="dict"):
-        """From nested dictionaries, {"body": {"young_modulus": 640}}, or dotted names, or both."""
+        """From nested dictionaries, {"body": {"young_modulus": 640}}, or dotted names, or both; quotes hold a part with
+        dots together, as in the commands."""
         lines, behind = _toml_lines(_require_dictionary(values))
         return cls._from_text("\n".join(lines + behind) + "\n", name, set)
 
@@ -125,7 +142,7 @@ class Scene(_gnomon.Scene):
 
     def __getitem__(self, key):
         table = self._values
-        for part in key.split("."):
+        for part in _parts(key):
             if not isinstance(table, dict) or part not in table:
                 raise KeyError(key)
             table = table[part]

@@ -81,3 +81,31 @@ def test_mistakes_in_a_dictionary_are_named_by_key(pin):
     with pytest.raises(gnomon.InputError) as told:
         gnomon.Scene.from_dict({"problem": "pin_on_flat"}, {"load.force": "much", "pin.wide": 1})
     assert "--set" not in str(told.value) and "load.force: expected a number" in str(told.value)
+
+
+def two_surfaces(names, surfaces):
+    return gnomon.Scene.from_dict({
+        "problem": "worn_body", "body": {"young_modulus": 1e3, "poisson_ratio": 0.3}, "support": [{"on": "bottom"}],
+        "counter_body": {"shape": "plane", "normal": [0, -1], "motion.velocity": [500, 0],
+                         "press": {"direction": [0, -1], "force": 10}},
+        "friction.coefficient": 0, "wear": {"on": names, "coefficient": 1e-6, "surfaces": surfaces}, "time.end": 10})
+
+
+@pytest.mark.parametrize("name", ["a.b", "1.5", "upper side", 'the "top"', ".", "a\U000e0001\u0001"])
+def test_surfaces_may_have_any_name(name):
+    """As in the mesh of which they are groups."""
+    scene = two_surfaces([name, "other"], {name: {"rate": "2 * k * p * v"}, "other.rate": "k * p * v"})
+    rates = {name: {"rate": "2 * k * p * v"}, "other": {"rate": "k * p * v"}}
+    assert scene.to_dict()["wear"]["surfaces"] == rates and scene["wear.on"] == [name, "other"]
+    assert gnomon.Scene.from_dict(scene.to_dict()) == scene
+
+
+def test_quotes_hold_a_name_together():
+    scene = two_surfaces(["a.b"], {}).with_({'wear.surfaces."a.b".rate': "k * p * v"})
+    assert scene['wear.surfaces."a.b".rate'] == "k * p * v"
+    values = scene.to_dict()
+    values['wear.surfaces."a.b".rate'] = values["wear"].pop("surfaces")["a.b"]["rate"]
+    assert gnomon.Scene.from_dict(values) == scene
+    for wrong in ("wear.surfaces.a.b.rate", 'wear.surfaces."a.b', "wear..on", ""):
+        with pytest.raises(KeyError):
+            scene[wrong]
