@@ -57,7 +57,8 @@ def register_wear_law(name, rate, constants=None, help="a wear law in Python"):
     `rate(p, v, h, q, t, s, x, **constants)` returns the wear rate from pressure, sliding speed, worn depth, frictional
     power, time, sliding distance and initial position (three numbers). Scenes may set its constants as wear.CONSTANT;
     otherwise they have the values given here. A law of Python may be registered again; scenes that were read before are
-    then read again, if its constants are others.
+    then read again, if its constants are others. Steps do not look for jumps and kinks of a law of Python, and no warning
+    says that fixed steps pass over a jump: an expression as wear.rate has both.
 
     >>> import gnomon
     >>> gnomon.register_wear_law("python-archard", lambda p, v, h, q, t, s, x, K: K * p * v, {"K": 1e-7})
