@@ -147,8 +147,7 @@ void print_advice(const Study& study, const StudyTable& table) {
 }
 
 /// Measures the runs, writes study.csv, study.json, study.h5 and the page, and prints the table.
-/// Throws SolutionError when no run has finished.
-void write_study(const Study& study, const std::filesystem::path& folder, bool quiet) {
+StudyTable write_study(const Study& study, const std::filesystem::path& folder, bool quiet) {
   const StudyTable table = measure(study, folder);
   write_file(folder / "study.csv", study_csv(study, table), Earlier::replaced);
   write_study_hdf5(folder / "study.h5", study, table);
@@ -160,6 +159,11 @@ void write_study(const Study& study, const std::filesystem::path& folder, bool q
     fmt::print("{}results: {} ({}study.csv, study.json, study.h5, runs)\n", page.complaint,
                folder.string(), page.listed());
   }
+  return table;
+}
+
+/// Throws SolutionError when no run has finished. Called where none is missing.
+void require_finished(const StudyTable& table, const fs::path& folder) {
   if (std::ranges::none_of(table.rows,
                            [](const StudyRow& row) { return row.status == "finished"; }))
     throw SolutionError(fmt::format("all {} runs of the table failed (reasons in {})",
@@ -184,8 +188,9 @@ void study_command(const StudyCommandOptions& given) {
     throw Error(fmt::format("interrupted with {} of {} runs done{}; --resume continues from there",
                             progress.done, progress.total,
                             given.executor == "slurm" ? ", the jobs of Slurm continue" : ""));
-  write_study(study, options.folder, given.quiet);
+  const StudyTable table = write_study(study, options.folder, given.quiet);
   if (progress.done < progress.total) require_complete(study, options.folder);
+  require_finished(table, options.folder);
 }
 
 void study_plan_command(const StudyCommandOptions& given) {
@@ -220,13 +225,9 @@ void study_run_command(const StudyCommandOptions& given) {
 void study_collect_command(const StudyCommandOptions& given) {
   const Study study = read_whole_plan(given.folder);
   const InterruptGuard guard(false);
-  try {
-    write_study(study, given.folder, given.quiet);
-  } catch (const SolutionError&) {
-    require_complete(study, given.folder);
-    throw;  // all runs failed, not only those that are done
-  }
+  const StudyTable table = write_study(study, given.folder, given.quiet);
   require_complete(study, given.folder);
+  require_finished(table, given.folder);
 }
 
 }  // namespace gnomon::app

@@ -73,6 +73,13 @@ with tempfile.TemporaryDirectory() as folder:
     table = pathlib.Path(folder) / "study.csv"
     assert parameters.draw(table, rows).axes[0].get_xlabel() == "body.young_modulus"
     columns = [{"name": "body.young_modulus", "unit": "MPa"}]
+    for some, reason in ((rows[:1], "do not differ"), ([rows[0] | {"status": "missing"}], "no run finished"),
+                         ([row | {"worn_volume": ""} for row in rows], "no run has a worn volume or")):
+        try:
+            parameters.draw(table, some)
+            raise AssertionError("no curve can be drawn")
+        except Unsuitable as complaint:
+            assert reason in str(complaint), complaint
     table.with_suffix(".json").write_text(json.dumps({"columns": columns}))
     assert parameters.draw(table, rows).axes[0].get_xlabel() == "body.young_modulus [MPa]"
 

@@ -265,6 +265,10 @@ TEST_F(Parts, CollectTellsWhatIsMissingBesideWhatFailed) {
   const Outcome partly = gnomon({"study", "collect", "out"});
   EXPECT_EQ(partly.exit_code, 1);
   EXPECT_THAT(partly.err, HasSubstr("1 run of 2 missing"));
+  ASSERT_EQ(gnomon({"study", "run", "out", "2"}).exit_code, 0);
+  const Outcome one = gnomon({"study", "collect", "out"});  // of which no curve can be drawn
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_THAT(one.out, HasSubstr("the runs that finished do not differ in a number"));
 }
 
 }  // namespace

@@ -88,6 +88,12 @@ TEST_F(BySlurm, AKilledExecutorIsContinuedWithTheJobsItHas) {
   expect_table_of_local_runs();
 }
 
+TEST_F(BySlurm, RunsThatNeverBeganAreMissingAndHaveNotFailed) {
+  const Outcome outcome = gnomon(arguments({"--slurm-option=--partition=closed"}));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err, "gnomon: 12 runs of 12 missing; gnomon study run out 1-12 does them\n");
+}
+
 TEST_F(BySlurm, ARefusalOfSbatchIsToldInItsWords) {
   const Outcome outcome = gnomon(arguments({"--slurm-option=--partition=none"}));
   EXPECT_EQ(outcome.exit_code, 1);

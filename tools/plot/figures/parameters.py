@@ -19,11 +19,15 @@ def of_sweep(rows):
 def draw(path, rows):
     """The swept key with the most numbers is the abscissa, everything else tells curves apart."""
     rows = [row for row in rows if row["status"] == "finished"]
+    if not rows:
+        raise Unsuitable("no run finished")
     shown = [name for name in SHOWN
              if any(math.isfinite(value_of(path, row, name)) for row in rows)]
     keys = swept_keys(rows)
-    if not shown or not keys:
-        raise Unsuitable("no run finished, or no number was swept")
+    if not keys:
+        raise Unsuitable("the runs that finished do not differ in a number that was swept")
+    if not shown:
+        raise Unsuitable(f"no run has a {' or '.join(SHOWN.values())}")
     across = max(keys, key=lambda key: len(distinct(row[key] for row in rows)))
     curves = distinct(curve_of(row, across) for row in rows)
     known = units(path)
