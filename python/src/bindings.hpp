@@ -57,13 +57,6 @@ private:
   std::shared_ptr<const Model> later_;
 };
 
-/// Python functions live as long as the process, for registries are emptied after the interpreter's
-/// end.
-struct Immortal {
-  explicit Immortal(py::object object) : object(object.release()) {}
-  py::handle object;
-};
-
 /// As the exception of C++ that has the same meaning, or unchanged if there is none.
 [[noreturn]] void throw_as_own(const py::error_already_set& error);
 

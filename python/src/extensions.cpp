@@ -30,6 +30,18 @@ auto in_python(Action&& action) {
   }
 }
 
+/// What is registered of Python. What was made of an earlier registration shares that one.
+using Registered = std::shared_ptr<const py::object>;
+
+/// It may be the last to go without the interpreter's lock, or after the interpreter's end.
+Registered registered(py::object object) {
+  return {new py::object(std::move(object)), [](py::object* last) {
+            if (!Py_IsInitialized()) return;
+            const py::gil_scoped_acquire interpreter;
+            delete last;
+          }};
+}
+
 /// The number that a text begins with; 0 without one, or of a range ("1-5").
 int order_of(const std::string& text) {
   int order = 0;
@@ -41,7 +53,8 @@ int order_of(const std::string& text) {
 /// An object of Python with advance(state, until), which returns the next State.
 class PythonStepper : public Stepper {
 public:
-  PythonStepper(const std::shared_ptr<Immortal>& make, int order, const System& system,
+  /// `make` is its own: while it makes the object, its name may be registered again.
+  PythonStepper(const Registered make, int order, const System& system,
                 const IntegratorSettings& settings, Counters& counters)
       : Stepper(counters),
         order_(order),
@@ -54,7 +67,7 @@ public:
       const py::dict given("step"_a = settings.step, "rtol"_a = settings.rtol,
                            "atol"_a = settings.atol, "end"_a = settings.end,
                            "scale"_a = settings.scale, "max_step"_a = settings.max_step);
-      object_ = make->object(handle_, given);
+      object_ = (*make)(handle_, given);
     });
   }
   ~PythonStepper() override {
@@ -129,7 +142,7 @@ void add_or_replace(Entry entry) {
 
 void register_integrator(const std::string& name, py::object make, const std::string& help,
                          const std::string& order, bool fixed_steps) {
-  const auto kept = std::make_shared<Immortal>(std::move(make));
+  const Registered kept = registered(std::move(make));
   add_or_replace<Integrator>({.name = name,
                               .family = "Python",
                               .order = order,
@@ -197,7 +210,7 @@ std::vector<Key> keys_of(const std::map<std::string, double>& constants) {
 
 void register_wear_law(const std::string& name, py::object rate,
                        const std::map<std::string, double>& constants, const std::string& help) {
-  const auto kept = std::make_shared<Immortal>(std::move(rate));
+  const Registered kept = registered(std::move(rate));
   add_or_replace<WearLawKind>(
       {.name = name, .help = help, .keys = keys_of(constants), .make = [=](const Scene& scene) {
          std::map<std::string, double> values;
@@ -210,7 +223,7 @@ void register_wear_law(const std::string& name, py::object rate,
            values[constant] = scene.real_if(key).value_or(own);
          }
          return WearLaw({.rate = [kept, values](const WearInput& at, std::span<const char>) {
-           return in_python([&] { return wear_rate(kept->object, at, values); });
+           return in_python([&] { return wear_rate(*kept, at, values); });
          }});
        }});
 }

@@ -1,6 +1,8 @@
+import gc
 import math
 import subprocess
 import sys
+import weakref
 
 import gnomon
 import numpy
@@ -119,6 +121,46 @@ def test_a_name_of_python_may_be_registered_again(pin):
         gnomon.register_wear_law("python-again", lambda p, v, h, q, t, s, x, rate=rate: rate * p * v)
         worn = gnomon.run(pin.with_({"wear.law": "python-again"})).history["wear_integral"][-1]
         assert worn == pytest.approx(rate * 20 * 1000 * 20, rel=1e-3)
+
+
+def test_what_was_registered_before_lives_as_long_as_its_models(springs):
+    alive = []
+
+    def register(K):
+        def rate(p, v, h, q, t, s, x):
+            return K * p * v
+
+        class Method(Heun):
+            pass
+
+        gnomon.register_wear_law("python-forgotten", rate)
+        gnomon.register_integrator("python-forgotten", Method)
+        alive.append((weakref.ref(rate), weakref.ref(Method)))
+
+    def living():
+        gc.collect()
+        return [(rate() is not None, method() is not None) for rate, method in alive]
+
+    register(1e-7)
+    model = gnomon.Model(springs.with_({"wear.law": "python-forgotten", "time.end": 10}))
+    for K in (2e-7, 3e-7):
+        register(K)
+    assert living() == [(True, False), (False, False), (True, True)]
+    first = gnomon.run(model).history["wear_integral"][-1]
+    assert first == pytest.approx(1e-7 * springs["load.force"] * springs["wear.velocity"] * 10, rel=1e-3)
+    del model
+    assert living() == [(False, False), (False, False), (True, True)]
+
+
+def test_a_method_may_register_its_name_again_while_it_is_made(springs):
+    def make(system, settings):
+        gnomon.register_integrator("python-restless", make)
+        gc.collect()
+        return Heun(system, settings)
+
+    gnomon.register_integrator("python-restless", make)
+    assert gnomon.run(springs.with_({"integrator.name": "python-restless", "integrator.step": 10,
+                                     "time.end": 20})).counters["steps"] == 2
 
 
 def test_other_names_are_registered_once():
