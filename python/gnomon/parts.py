@@ -1,8 +1,17 @@
 """Parts whose mesh is given by arrays."""
 
+import collections.abc
+import reprlib
 import warnings
 
 from gnomon import _gnomon
+
+
+def _groups(given, what):
+    groups = {} if given is None else given
+    if not isinstance(groups, collections.abc.Mapping) or not all(isinstance(name, str) for name in groups):
+        raise TypeError(f"{what}: expected a dictionary with names of groups as its keys, got {reprlib.repr(given)}")
+    return dict(groups)
 
 
 def assemble(scene, points, cells, facets=None, nodes=None, bodies=None):
@@ -27,7 +36,10 @@ def assemble(scene, points, cells, facets=None, nodes=None, bodies=None):
     >>> f"{gnomon.run(model).history['worn_volume'][-1]:.4f} mm^2 of k F v t = {1e-6 * 10 * 500 * 10:.4f}"
     '0.0500 mm^2 of k F v t = 0.0500'
     """
-    model, repaired = _gnomon._assemble(scene, points, cells, facets or {}, nodes or {}, bodies or {})
+    if not isinstance(scene, _gnomon.Scene):
+        raise TypeError(f"expected a gnomon.Scene, got {reprlib.repr(scene)}")
+    model, repaired = _gnomon._assemble(scene, points, cells, _groups(facets, "facets"), _groups(nodes, "nodes"),
+                                        _groups(bodies, "bodies"))
     for remark in repaired:
         warnings.warn(remark, stacklevel=2)
     return model

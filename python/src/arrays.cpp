@@ -59,13 +59,15 @@ Rows rows_of(const py::object& given, int dimensions, std::size_t end, const std
 }
 
 /// Adds elements of this dimension; what they are follows from the number of their corners.
+/// Messages number them as the array does.
 void add_elements(const Rows& rows, int dimension, const std::string& what, ElementList& list) {
   for (int k = 0; k < element_kinds; ++k) {
     const auto kind = static_cast<ElementKind>(k);
     if (dimension_of(kind) != dimension || node_count(kind) != static_cast<int>(rows.columns))
       continue;
     for (std::size_t at = 0; at < rows.values.size(); at += rows.columns)
-      list.add(kind, list.size(), std::span(rows.values).subspan(at, rows.columns));
+      list.add(kind, static_cast<std::int64_t>(at / rows.columns),
+               std::span(rows.values).subspan(at, rows.columns));
     return;
   }
   throw InputError(what + ": no element of " + std::to_string(dimension) + " dimensions has " +

@@ -45,7 +45,7 @@ Found find_facets(const MeshGroup& group, const FacetTable<dim>& facets, const E
 std::string fault_of(const Found& found, const MeshGroup& group, const ElementList& list) {
   const auto text = [&](long count, const char* what, int first) {
     return fmt::format(
-        "is no part of the boundary: {} of its {} facets {}, the first is element {}", count,
+        "is no part of the boundary: {} of its {} facets {}, the first has the number {}", count,
         group.members.size(), what, list.tags[first]);
   };
   if (found.missing > 0) return text(found.missing, "are no sides of cells", found.first_missing);

@@ -212,7 +212,7 @@ TEST(BoundaryPart, IsRefusedWithWhatTheMeshHas) {
   EXPECT_THAT(
       refusal(body, "inside"),
       HasSubstr("1 of its 2 facets lie inside the body, or its nodes coincide with those of "
-                "another side, the first is element 109"));
+                "another side, the first has the number 109"));
   EXPECT_THAT(refusal(body, "across"), HasSubstr("1 of its 1 facets are no sides of cells"));
   EXPECT_THAT(refusal(body, "body"), HasSubstr("is a group of surfaces, expected one of curves"));
   EXPECT_THAT(refusal(body, "spots"), HasSubstr("is a group of points, expected one of curves"));

@@ -131,6 +131,26 @@ def test_what_is_wrong_is_refused(change, expected):
         gnomon.assemble(**given)
 
 
+@pytest.mark.parametrize("change, expected", [
+    ({"scene": {"problem": "worn_body"}}, "^expected a gnomon.Scene, got {'problem'"),
+    ({"facets": [[0, 1]]}, "^facets: expected a dictionary with names"),
+    ({"nodes": {3: [0]}}, "^nodes: expected a dictionary with names of groups as its keys, got {3: "),
+    ({"bodies": numpy.zeros(3)}, "^bodies: expected a dictionary"),
+])
+def test_what_is_no_dictionary_of_groups_is_named(change, expected):
+    points, cells, facets = block()
+    given = {"scene": scene(), "points": points, "cells": cells, "facets": facets} | change
+    with pytest.raises(TypeError, match=expected):
+        gnomon.assemble(**given)
+
+
+def test_facets_are_numbered_within_their_group():
+    points, cells, facets = block(4, 2)
+    inner = [[5, 6]]
+    with pytest.raises(gnomon.InputError, match='1 of its 3 facets lie inside .*, the first has the number 2'):
+        gnomon.assemble(scene(), points, cells, facets | {"surface": numpy.vstack([facets["surface"][:2], inner])})
+
+
 def test_groups_may_be_masks():
     points, cells, facets = block()
     held = numpy.array(points)[:, 1] == min(y for _, y in points)
