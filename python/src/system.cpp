@@ -52,7 +52,12 @@ struct PointArguments {
     if (!within.is_none()) point.within = within.cast<double>();
     if (on.is_none()) return;
     const auto count = static_cast<long>(structure.switch_node.size());
-    for (const double flag : numbers(on, count, "branch")) branch.push_back(flag != 0);
+    for (const double flag : numbers(on, count, "branch")) {
+      if (flag != 0 && flag != 1)
+        throw InputError("branch: expected ones, where active, and zeros, got " +
+                         std::string(py::str(py::float_(flag))));
+      branch.push_back(flag != 0);
+    }
     point.branch = &branch;
   }
   PointArguments(const PointArguments&) = delete;

@@ -69,6 +69,9 @@ def test_a_branch_is_smooth_beyond_its_border(pin):
     assert numpy.abs(product - difference).max() < 1e-5 * numpy.abs(product).max()
     with pytest.raises(gnomon.InputError, match="branch: expected"):
         system.residual(0, state.y, state.ydot, branch[1:])
+    for wrong in (numpy.nan, 0.5, -1):
+        with pytest.raises(gnomon.InputError, match=f"branch: expected ones.* got {wrong}"):
+            system.residual(0, state.y, state.ydot, numpy.full(branch.size, wrong))
 
 
 def test_within_continues_the_part_before_a_kink_in_time(pin):
