@@ -30,6 +30,7 @@ set(gnomon_public_headers
   gnomon/part/part_scene.hpp         # what a scene says of them
   gnomon/part/assembly_scene.hpp
   gnomon/cycles/cycle_scene.hpp      # and of cycles
+  gnomon/cycles/compared_rates.hpp   # by two sets of phases
   gnomon/system/system.hpp           # residual, Jacobian, switching functions
   gnomon/system/state.hpp
   gnomon/system/composed_system.hpp  # a system made of terms

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
+#include <gnomon/cycles/compared_rates.hpp>
 #include <gnomon/cycles/cycle_scene.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/scene/keys.hpp>
 #include <limits>
 #include <string>
-
-#include "model/phase_error.hpp"
 
 namespace gnomon::winkler {
 

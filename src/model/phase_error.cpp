@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/processes.hpp>
+#include <gnomon/cycles/compared_rates.hpp>
 #include <gnomon/model/wear_model.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <limits>
@@ -139,16 +140,6 @@ private:
 };
 
 }  // namespace
-
-RateDifference compare_rates(const std::vector<double>& areas, const std::vector<double>& coarse,
-                             const std::vector<double>& fine) {
-  RateDifference result;
-  for (std::size_t c = 0; c < areas.size(); ++c) {
-    result.difference += areas[c] * std::abs(coarse[c] - fine[c]);
-    result.whole += areas[c] * std::abs(fine[c]);
-  }
-  return {sum_over_processes(result.difference), sum_over_processes(result.whole)};
-}
 
 template <int dim>
 double error_of_motion(const std::vector<Phase<dim>>& phases, const std::vector<Phase<dim>>& fine) {

@@ -157,8 +157,10 @@ gnomon.load_plugin(sys.argv[1])
 gnomon.study("cones.toml", "again")
 PY
   # A physics finds its headers in the installation (docs/integrators.md).
-  c++ -std=c++20 -fsyntax-only -I"$prefix/include" -I/usr/include/eigen3 \
-    "$source/problems/stressed_surface/stressed_surface.cpp"
+  local physics
+  for physics in stressed_surface/stressed_surface winkler/winkler winkler/foundation_scene winkler/phases; do
+    c++ -std=c++20 -fsyntax-only -I"$prefix/include" -I/usr/include/eigen3 "$source/problems/$physics.cpp"
+  done
 }
 
 bad_plugins() {
