@@ -123,6 +123,7 @@ private:
     counters_ = from.row.counters;
     observed_ = from.row.scalars;
     outcome_.phase_errors = from.phase_errors;
+    for (const PhaseError& at_start : from.phase_errors) judge_phases(at_start);
     outcome_.last = from.row;
     store_.resume(from);
     schedule_.wants(state().t, counters_.steps);  // everything up to here is already stored
@@ -239,6 +240,12 @@ private:
                        memory_.state.t, reason);
   }
 
+  void judge_phases(const PhaseError& at_start) {
+    const double of_steps = settings_.step > 0 ? phase_tolerance_of_fixed_steps : settings_.rtol;
+    const double tolerance = policy_.phase_tolerance.value_or(of_steps);
+    if (const std::string text = phase_warning(at_start, tolerance); !text.empty()) warn(text);
+  }
+
   /// Beside the run: its steps and its counters are the same without it.
   void estimate_phase_error() {
     if (!policy_.phase_errors || !model().phase_error) return;
@@ -247,10 +254,7 @@ private:
       if (!error) return;
       store_.append(*error);
       outcome_.phase_errors.push_back(*error);
-      if (state().t > 0) return;
-      const double of_steps = settings_.step > 0 ? phase_tolerance_of_fixed_steps : settings_.rtol;
-      const double tolerance = policy_.phase_tolerance.value_or(of_steps);
-      if (const std::string text = phase_warning(*error, tolerance); !text.empty()) warn(text);
+      if (state().t == 0) judge_phases(*error);
     } catch (const SolutionError& error) {
       warn(unknown_phase_error(error.what()));
     } catch (const InputError& error) {

@@ -147,6 +147,20 @@ TEST_F(Resume, OfACycleIsTheUninterruptedRunToRounding) {
   }
 }
 
+/// What was told of the start holds for all that follows.
+TEST_F(Resume, OfACycleWarnsOfItsPhasesToo) {
+  const std::string cycle = "winkler/cycle.toml", warning = "more than the tolerance of 1e-05";
+  const Overrides overrides = {"integrator.rtol=1e-5", "time.cycles=2e4"};
+  const RunOutcome first = run_scene(cycle, overrides, file("first"));
+  EXPECT_THAT(first.warnings, testing::Contains(HasSubstr(warning)));
+  app::RunOptions options;
+  options.result = file("first");
+  options.end = 3e4;
+  testing::internal::CaptureStderr();
+  ASSERT_EQ(app::resume_command(options), 0);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(warning));
+}
+
 TEST_F(Resume, GoesOnToALaterEnd) {
   const Overrides be = {"mesh.elements=[8,6]", "integrator.name=backward-euler",
                         "integrator.step=10", "integrator.nonlinear_fraction=0"};
