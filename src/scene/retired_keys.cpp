@@ -13,7 +13,7 @@ namespace {
 struct RetiredKey {
   std::string name;          ///< with "*" or "#" as that of a Key
   std::string now = {};      ///< its name today, with the same "*"; empty: it has none
-  std::string instead = {};  ///< of one without a name: "expected ..."; empty: nothing is lost
+  std::string instead = {};  ///< of one without a name: "expected ..."; empty: no number is missed
   std::vector<SceneValue> ignored = {};  ///< values that need nothing instead: earlier defaults
 };
 
@@ -59,11 +59,18 @@ const RetiredKey* find_retired(const std::string& name) {
   return nullptr;
 }
 
+bool is_number(const RawValue& value) {
+  const auto* scalar = std::get_if<RawScalar>(&value.content);
+  return scalar &&
+         (std::holds_alternative<long>(*scalar) || std::holds_alternative<double>(*scalar));
+}
+
 bool is_ignored(const RetiredKey& key, const RawValue& value) {
   if (!key.now.empty()) return false;
-  return key.instead.empty() || std::ranges::any_of(key.ignored, [&](const SceneValue& ignored) {
-           return toml_text(ignored) == toml_text(value);
-         });
+  if (key.instead.empty()) return is_number(value);
+  return std::ranges::any_of(key.ignored, [&](const SceneValue& ignored) {
+    return toml_text(ignored) == toml_text(value);
+  });
 }
 
 /// The name today of a retired key of this name.
@@ -99,7 +106,8 @@ std::string instead_of_retired(const std::string& name) {
   const RetiredKey* key = find_retired(name);
   if (!key) return "";
   if (!key->instead.empty()) return key->instead;
-  return key->now.empty() ? "expected none" : "expected " + key->now + " in its place";
+  return key->now.empty() ? "expected none, or a number, which changes nothing"
+                          : "expected " + key->now + " in its place";
 }
 
 }  // namespace gnomon

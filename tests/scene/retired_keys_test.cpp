@@ -41,6 +41,9 @@ TEST(RetiredKeys, AreAcceptedWhereTheyChangeNothing) {
   EXPECT_EQ(refusal("shape.young_modulus = 20.0"), "accepted");
   EXPECT_EQ(refusal("body.kinematics = \"finite\""), "accepted");
   EXPECT_EQ(refusal("counter_body.closed = false\ncounter_body.concave = false"), "accepted");
+  EXPECT_EQ(
+      refusal("shape.young_modulus = \"foo\""),
+      "s.toml:8: key `shape.young_modulus`: expected none, or a number, which changes nothing");
   EXPECT_THAT(refusal("output.last = false"),
               HasSubstr("key `output.last`: expected none: the end of a run is always stored"));
 }
