@@ -165,11 +165,15 @@ std::shared_ptr<Foundation> foundation_of(const Scene& scene) {
 
 namespace {
 
+/// The analysis of the matrix takes the square of their number, some seconds of these, and no
+/// signal ends it: each delta is coupled with every point.
+constexpr int fewest_points = 3, most_points = 50000;
+
 /// The springs as many times as far from each other.
 std::optional<Scene> with_spacing(const Scene& scene, double factor) {
   const auto spaces = static_cast<double>(scene.integer("foundation.points") - 1);
   const long points = std::lround(spaces / factor) + 1;
-  if (points < 3 || points > 1000000) return {};
+  if (points < fewest_points || points > most_points) return {};
   return scene.with("foundation.points", points);
 }
 
@@ -181,7 +185,8 @@ std::vector<Key> foundation_keys() {
       length_key("pin.width", "width L of the pin"),
       real_key("foundation.modulus", "MPa/mm", required(), positive_quantity,
                "modulus K_w of the springs: pressure per unit of compression"),
-      controlling(integer_key("foundation.points", by_default(401L), {.min = 3, .max = 1000000},
+      controlling(integer_key("foundation.points", by_default(401L),
+                              {.min = fewest_points, .max = most_points},
                               "number of springs over the width, both ends included"),
                   ErrorSource::mesh, with_spacing)};
   for (const Key& key : phase_keys()) result.push_back(key);

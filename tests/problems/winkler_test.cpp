@@ -90,6 +90,17 @@ TEST(Winkler, StartsFromTheParabolaOfPressure) {
   for (int i = 0; i < 2001; ++i) EXPECT_NEAR(start.ydot[2 * i], exact.ydot[2 * i], 1e-8);
 }
 
+// The start of many more would take minutes, which no signal ends.
+TEST(Winkler, HasNoMorePointsThanItCanSolve) {
+  const auto scene = [](const char* points) {
+    load_scene(GNOMON_SOURCE_DIR "/problems/winkler/pin.toml",
+               {std::string("foundation.points=") + points}, key_table);
+  };
+  EXPECT_NO_THROW(scene("50000"));
+  EXPECT_THAT([&] { scene("50001"); },
+              ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("in [3, 50000]")));
+}
+
 TEST(Winkler, ForceAndWearFluxHoldAtEveryStep) {
   const auto model = winkler(101);
   for (const auto& [integrator, step] : {std::pair("forward-euler", 5.0),
