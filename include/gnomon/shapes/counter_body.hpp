@@ -103,11 +103,6 @@ struct Guide {
     return creeps() ? Vector<dim>(Vector<dim>::Zero()) : Vector<dim>(q * along);
   }
   bool is_held() const { return !travel && !force; }
-  /// How far it carries a point of the surface, at `x` in the coordinates of the shape, by q = 1;
-  /// of a turn to first order in its angle.
-  Vector<dim> carries(const Vector<dim>& x) const {
-    return turns() ? Vector<dim>(turn * (x - centre)) : along;
-  }
 };
 
 /// A rigid body that the worn body may not enter. Its motion q has one number for each of `guides`:
