@@ -149,10 +149,10 @@ WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) cons
 void WearLaw::switching(const WearInput& at, std::span<double> values,
                         std::span<const char> branches) const {
   if (kinks() == 0) return;
-  const bool presses = at.pressure >= 0;
-  if (presses && at.mean_friction_power >= 0)
+  const bool pulls = at.pressure < 0;  // not where it is no number, whose reflection is none either
+  if (!pulls && !(at.mean_friction_power < 0))
     return asked([&] { definition_->switching(at, branches, values); });
-  const Reflection of = presses ? of_mean(at) : of_pressure(at);
+  const Reflection of = pulls ? of_pressure(at) : of_mean(at);
   std::vector<double> zero(values.size());
   switching(of.zero, zero, branches);
   switching(of.opposite, values, branches);

@@ -5,6 +5,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/base/tensor.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
+#include <limits>
 
 #include "support/derivatives.hpp"
 
@@ -242,6 +243,16 @@ TEST(WearLaw, IsMadeOfASceneByItsName) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("scene.toml:6: key `wear.rate`: column 8"));
   }
+}
+
+TEST(WearLaw, OfWhatIsNoNumberSwitchingIsNone) {
+  const WearLaw law({.rate = [](const WearInput&, std::span<const char>) { return WearRate{}; },
+                     .kinks = 1,
+                     .switching = [](const WearInput& at, std::span<const char>,
+                                     std::span<double> values) { values[0] = at.pressure - 1; }});
+  std::array<double, 1> value{};
+  law.switching({.pressure = std::numeric_limits<double>::quiet_NaN()}, value);
+  EXPECT_TRUE(std::isnan(value[0]));
 }
 
 }  // namespace
