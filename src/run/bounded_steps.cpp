@@ -92,10 +92,11 @@ void BoundedSteps::stop_before_hole(BoundedStep& step) {
   constexpr double shortly = 0.998, thin = 0.01;  // parts of the step, and of the thickness
   const double before = value_of(last_, "thickness_left").value_or(1);
   const auto left = [&] { return value_of(step.observed, "thickness_left").value_or(1); };
-  if (left() > 0) return;
+  if (left() > 0 || before <= 0) return;
   for (int i = 0; i < most && left() <= 0; ++i)
     repeat(step,
            step.before.t + shortly * before / (before - left()) * (state().t - step.before.t));
+  step.limit = model().limit ? model().limit(state()) : std::nullopt;  // of the shorter step
   if (left() > 0 && left() < thin)
     step.limit = {"a body is worn through: wear takes all its thickness at a node"};
 }

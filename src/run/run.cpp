@@ -117,6 +117,7 @@ private:
   void resume(const Resumption& from) {
     epochs_.repeat(from.epochs);
     watch_model();
+    if (epochs_.successor()) hooks_.on_epoch(epochs_.successor());
     memory_ = unpacked(from.checkpoint.numbers, model().system().structure());
     if (state().t != from.row.t)
       throw InputError("the time of the checkpoint is not that of its row in the history");

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "run/bounded_steps.hpp"
+#include "run/guards.hpp"
 #include "run/store_schedule.hpp"
 
 namespace gnomon {
@@ -18,10 +19,14 @@ struct RunSteps::Parts {
 
   /// Where the model is followed by another one.
   void begin_epoch() {
+    if (ended()) return;
     const std::optional<Epochs::Change> change = epochs.succeed(memory.state);
     if (!change) return;
     watch_model();
     steps.follow(change->same_unknowns);
+  }
+  bool ended() const {
+    return memory.state.t >= settings.end || (until && excess(*until, observed) >= 0);
   }
   void watch_model() {
     settings.integrand = epochs.model().wear_flux;
@@ -45,10 +50,10 @@ RunSteps::RunSteps(const Model& model, const Integrator& integrator, IntegratorS
   of.memory.state = model.start(of.counters);
   of.epochs.replace_overdue(of.memory.state);
   of.watch_model();
-  if (const Model& present = of.epochs.model(); present.overdue && present.overdue(of.memory.state))
-    of.begin_epoch();
   of.observed = of.steps.observe({});
   if (of.until) excess(*of.until, of.observed);  // refuses an unknown one
+  if (const Model& present = of.epochs.model(); present.overdue && present.overdue(of.memory.state))
+    of.begin_epoch();
   of.steps.begin();
 }
 
@@ -61,6 +66,12 @@ StepReport RunSteps::advance(double stop) {
                                  of.until ? "time.until or time.end" : "time.end"));
   if (of.limit) throw at_limit(of.memory.state.t, *of.limit);
   BoundedStep step = of.steps.advance(stop, [] { return false; });
+  try {
+    require_sound_mesh(step.observed);
+  } catch (const SolutionError&) {
+    of.memory.state = step.before;
+    throw;
+  }
   of.observed = std::move(step.observed);
   of.limit = std::move(step.limit);
   of.begin_epoch();
@@ -68,10 +79,8 @@ StepReport RunSteps::advance(double stop) {
 }
 
 bool RunSteps::ended() const {
-  const Parts& of = *parts_;
-  return state().t >= of.settings.end || (of.until && excess(*of.until, of.observed) >= 0);
+  return parts_->ended();
 }
-
 const State& RunSteps::state() const {
   return parts_->memory.state;
 }
