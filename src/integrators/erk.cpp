@@ -109,9 +109,10 @@ private:
       check(ARKodeGetCurrentStep(erk, &proposal_), "ARKodeGetCurrentStep");
     const StepReport report{
         .step = t - state.t, .order = table_.order, .integral = sum_up(state, t - state.t)};
-    state = whole_;
-    is_behind_jump_ = is_breakpoint(system_.structure(), state.t) &&
-                      pass_breakpoint(system_, settings_, counters_, nullptr, state);
+    State behind = whole_;
+    is_behind_jump_ = is_breakpoint(system_.structure(), behind.t) &&
+                      pass_breakpoint(system_, settings_, counters_, nullptr, behind);
+    state = std::move(behind);
     return report;
   }
 
