@@ -46,8 +46,8 @@ def load_plugin(file):
     of a study, by the variable GNOMON_PLUGINS of its environment."""
     _gnomon.load_plugin(file)
     loaded = os.environ.get("GNOMON_PLUGINS", "")
-    name = str(pathlib.Path(file).absolute())
-    if name not in loaded.split(":"):
+    name = str(pathlib.Path(file).resolve())
+    if name not in [str(pathlib.Path(other).resolve()) for other in loaded.split(":") if other]:
         os.environ["GNOMON_PLUGINS"] = f"{loaded}:{name}".strip(":")
 
 

@@ -159,19 +159,18 @@ py::dict run_model(const Shared& model, const std::optional<fs::path>& result, b
 /// A run that the caller drives.
 class Steps {
 public:
-  explicit Steps(const Shared& model) : model_(at_start(model)) {
-    const Setup& setup = model_->setup();
+  explicit Steps(const Shared& model) : first_(at_start(model)), model_(first_) {
+    const Setup& setup = first_->setup();
     const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
     end_ = settings.end;
-    with_model(*model_, [&] {
+    with_model(*first_, [&] {
       steps_ = std::make_unique<RunSteps>(*setup.model, chosen_integrator(setup.scene), settings,
                                           store_policy(setup.scene).until);
     });
-    follow();
   }
   ~Steps() {
     const py::gil_scoped_release without_interpreter;
-    const std::scoped_lock alone(*model_->busy);
+    const std::scoped_lock alone(*first_->busy);
     steps_.reset();
   }
 
@@ -179,13 +178,12 @@ public:
     using namespace py::literals;
     const double t_stop = until.value_or(end_);
     // Another thread may have taken a step until the turn of this one comes.
-    const StepReport report = with_model(*model_, [&] {
+    const StepReport report = with_model(*first_, [&] {
       if (!steps_->ended() && !(t_stop > steps_->state().t && t_stop <= end_))
         throw InputError(fmt::format("until = {}: expected a time after {} and not after time.end",
                                      t_stop, steps_->state().t));
       return steps_->advance(t_stop);
     });
-    follow();
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     return py::dict("step"_a = report.step, "order"_a = report.order,
                     "newton_iterations"_a = report.newton_iterations,
@@ -193,24 +191,24 @@ public:
                     "wear"_a = report.integral);
   }
   bool ended() const {
-    return with_model(*model_, [&] { return steps_->ended(); });
+    return with_model(*first_, [&] { return steps_->ended(); });
   }
   State state() const {
-    return with_model(*model_, [&] { return steps_->state(); });
+    return with_model(*first_, [&] { return steps_->state(); });
   }
   Counters counters() const {
-    return with_model(*model_, [&] { return steps_->counters(); });
+    return with_model(*first_, [&] { return steps_->counters(); });
   }
-  const Shared& model() const { return model_; }
+  /// Of the state, in its epoch.
+  Shared model() {
+    const auto later = with_model(*first_, [&] { return steps_->successor(); });
+    if (later && later.get() != &model_->model())
+      model_ = std::make_shared<SharedModel>(*first_, later);
+    return model_;
+  }
 
 private:
-  /// The model of the present epoch is that of the state.
-  void follow() {
-    const std::shared_ptr<const Model> later = steps_->successor();
-    if (later && later.get() != &model_->model())
-      model_ = std::make_shared<SharedModel>(*model_, later);
-  }
-
+  Shared first_;  // whose turns the calls take
   Shared model_;
   double end_ = 0;
   std::unique_ptr<RunSteps> steps_;
