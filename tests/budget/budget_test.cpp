@@ -109,7 +109,6 @@ TEST(Budget, OfWearAsAGapIsTheDifferenceToTheMovingMesh) {
       std::abs(value(budget, "max_pressure") / value(reference, "max_pressure") - 1));
 }
 
-// Hertz: as above, on a mesh that is given, whose cells are split.
 TEST(Budget, OfSpringsIsTheErrorAgainstMoreOfThem) {
   const Budget budget = budget_of("winkler/pin.toml", {"foundation.points=41"}),
                reference = budget_of("winkler/pin.toml", {"foundation.points=801"});
@@ -126,6 +125,7 @@ TEST(Budget, OfAStressedSurfaceIsTheErrorOfItsPolygon) {
   EXPECT_EQ(std::ranges::find(budget.values, "inner_pressure", &Scalar::name), budget.values.end());
 }
 
+// Hertz: as above, on a mesh that is given, whose cells are split.
 TEST(Budget, OfAMeshThatIsGivenIsTheErrorAgainstHertz) {
   const std::filesystem::path mesh = std::filesystem::path(::testing::TempDir()) / "given.msh";
   std::filesystem::remove(mesh);

@@ -242,9 +242,6 @@ TEST_F(Fretting, JacobianEqualsFiniteDifferences) {
   }
 }
 
-/// A stiff square block between springs of stiffness k per area and a plane that a moment M turns
-/// by M / (k I): I = 1 / 6 of the unit square, times 1 + 2 h^2 of springs at nodes. All slips at M
-/// = 0.38 f P.
 /// Far beyond stick a cylinder slips by 4 theta R in a cycle, wherever it comes from.
 TEST_F(Fretting, ACylinderThatTurnsSlipsByItsArc) {
   for (const double gap : {0.0, 1.0}) {
@@ -299,6 +296,9 @@ TEST_F(Fretting, ACycleOfFewPhasesDoesNotTurnTooFar) {
                  "cycle.rotation turns by");
 }
 
+/// A stiff square block between springs of stiffness k per area and a plane that a moment M turns
+/// by M / (k I): I = 1 / 6 of the unit square, times 1 + 2 h^2 of springs at nodes. All slips at M
+/// = 0.38 f P.
 TEST_F(Fretting, AMomentTurnsTheCounterBody) {
   folder_.write("square.geo", R"(SetFactory("OpenCASCADE");
 Box(1) = {-0.5, -0.5, -0.2, 1, 1, 0.2};
