@@ -64,6 +64,7 @@ Overrides coarse(const std::string& scene) {
     return {"mesh.factor=2", "time.end=0.3", "output.times=[]"};
   if (scene == "worn_body/sphere_on_disc.toml")
     return {"mesh.factor=2", "time.end=64", "output.times=[]"};
+  if (scene == "worn_body/ball_on_block.toml") return {"mesh.factor=3.5", "time.end=20"};
   if (scene == "worn_body/cam_and_rocker.toml") return {"mesh.factor=2", "time.cycles=100"};
   if (scene == "worn_body/pin_on_track.toml") return {"mesh.factor=2", "time.end=200"};
   if (scene == "worn_body/gear_teeth.toml")
