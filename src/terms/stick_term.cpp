@@ -229,8 +229,8 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
                                       branch(at, c));
   const Eigen::Index guides = input.contact.q.size(),
                      columns = input.contact.lambda.derivatives().size();
-  Eigen::MatrixXd K =
-      Eigen::MatrixXd::Zero(1 + 4 * dim + guides + std::ssize(mean_number_), columns);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(
+      1 + (state_.is_last ? 4 : 3) * dim + guides + std::ssize(mean_number_), columns);
   Eigen::Index row = 0;
   const auto put = [&](const Dual<dim>& value, double factor = 1) {
     if (value.derivatives().size() > 0) K.row(row) = factor * value.derivatives().transpose();
@@ -242,7 +242,7 @@ Eigen::MatrixXd StickTerm<dim>::tangent(const Evaluation<dim>& at, int c) const 
   for (int i = 0; i < dim; ++i) put(met.contact.velocity[i], -weight(c));
   for (Eigen::Index k = 0; k < guides; ++k) put(met.contact.partner[k]);
   if (!mean_number_.empty()) put(met.lacks);
-  for (int i = 0; i < dim; ++i) put(met.place[i]);
+  for (int i = 0; state_.is_last && i < dim; ++i) put(met.place[i]);
   return K;
 }
 
@@ -268,9 +268,11 @@ void StickTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
                                   std::span<double> values) const {
   for (int c = 0; c < count(); ++c) {
     const Eigen::MatrixXd K = tangent(at, c);
-    const Eigen::MatrixXd own = K.topRows(K.rows() - dim);
-    for (std::size_t k = 0; k < map_[c].size(); ++k)
-      if (map_[c][k] >= 0) values[map_[c][k]] += own.data()[k];
+    const Eigen::Index rows = K.rows() - (state_.is_last ? dim : 0);
+    std::size_t k = 0;
+    for (Eigen::Index column = 0; column < K.cols(); ++column)
+      for (Eigen::Index row = 0; row < rows; ++row, ++k)
+        if (map_[c][k] >= 0) values[map_[c][k]] += K(row, column);
     if (state_.is_last) add_memory(at, c, rate_weight, K.bottomRows(dim), values);
   }
 }

@@ -50,7 +50,7 @@ private:
   StickInput<dim, Scalar> gather(const Evaluation<dim>& at, int c) const;
   StickBranch branch(const Evaluation<dim>& at, int c) const;
   StickNode<dim> node(const Evaluation<dim>& at, int c) const;
-  /// Rows and columns as their numbers, by automatic differentiation; below them those of r.
+  /// Rows and columns as their numbers, by automatic differentiation; those of r below, for s.
   Eigen::MatrixXd tangent(const Evaluation<dim>& at, int c) const;
   void add_memory(const Evaluation<dim>& at, int c, double rate_weight,
                   const Eigen::MatrixXd& place_by, std::span<double> values) const;
