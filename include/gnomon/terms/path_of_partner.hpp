@@ -43,7 +43,7 @@ struct PathOfPartner {
       if (guide.turns()) free_angle += q[k];
       moved += guide.along.template cast<Scalar>() * q[k];
     }
-    const Vector<dim, Scalar> change = u - moved;
+    Vector<dim, Scalar> change = u - moved;
     if (spin.isZero(0)) return change;
     const Vector<dim, Scalar> arm = X - centre.template cast<Scalar>() - moved;
     return change + carried_by_turn<dim, Scalar>(spin, -at.angle, arm + u) -

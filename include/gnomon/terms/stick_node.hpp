@@ -36,8 +36,8 @@ namespace gnomon {
 template <int dim, class Scalar>
 Vector<dim, Scalar> rolling_velocity(const Rolling<dim>& rolling,
                                      const ContactKinematics<dim, Scalar>& met) {
-  const Vector<dim, Scalar> V = rolling.velocity.template cast<Scalar>(),
-                            along = V - met.normal * met.normal.dot(V);
+  Vector<dim, Scalar> V = rolling.velocity.template cast<Scalar>();
+  const Vector<dim, Scalar> along = V - met.normal * met.normal.dot(V);
   using std::sqrt;
   const Scalar square = along.squaredNorm();
   if (!(square > Scalar(0))) return V;
@@ -116,7 +116,7 @@ Vector<dim, Scalar> change_of_place(const StickParameters<dim>& parameters,
                                     const ContactPatch<dim>& patch,
                                     const StickInput<dim, Scalar>& at,
                                     const Vector<dim, Scalar>& place) {
-  const Vector<dim, Scalar> change = place - at.before;
+  Vector<dim, Scalar> change = place - at.before;
   if (!parameters.rolling) return parameters.path.in_space(change);
   if (!parameters.rolling->linear) return change;
   const Vector<dim, Scalar> N =
