@@ -133,7 +133,7 @@ double amplitude_of(const std::vector<OnWave>& surface) {
 
 class StressedModel : public Physics<2> {
 public:
-  explicit StressedModel(std::shared_ptr<const StressedBody> body)
+  explicit StressedModel(const std::shared_ptr<const StressedBody>& body)
       : StressedModel(body, Equations(body)) {}
 
   /// `worn_volume` is the area that the body has lost. Of its own: `energy` of surface_motion.hpp,

@@ -252,7 +252,7 @@ void StickTerm<dim>::add_memory(const Evaluation<dim>& at, int c, double rate_we
                                 const Eigen::MatrixXd& place_by, std::span<double> values) const {
   const auto guides = static_cast<Eigen::Index>(q_numbers_.size()),
              shape = dim * static_cast<Eigen::Index>(state_.contact.patches[c].nodes.size());
-  Eigen::MatrixXd by(dim, guides + Eigen::Index{3} * dim);
+  Eigen::MatrixXd by(dim, guides + 3 * dim);
   const double rate = 1 / state_.memory.period;
   by << -rate * place_by.middleCols(1 + dim, guides),
       -rate * place_by.middleCols(1 + dim + 2 * guides, dim),

@@ -87,6 +87,7 @@ public:
     const Tensor<dim> P = at.law.stress();
     const Nodal Pn = m * n * P.transpose();
     double crossed = 0;  // factor of g_b (x) g_a in K_u, in addition to the law
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): f_bar changes it
     Nodal S = Pn;
     if constexpr (averaged(technology)) {
       Tensor<dim> B = Tensor<dim>::Identity();  // change of the strain by a change of volume
