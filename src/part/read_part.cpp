@@ -23,6 +23,7 @@
 #include "part/shape_support.hpp"
 #include "part/stick_path.hpp"
 #include "part/surfaces.hpp"
+#include "part/symmetry.hpp"
 #include "part/tracks.hpp"
 #include "part/unshaped_part.hpp"
 
@@ -203,6 +204,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   append(parts.remarks, remarks_on_bodies(scene, part));
   append(parts.remarks, doubts(parts.bodies));
   append(parts.remarks, remarks_on_loads(scene));
+  append(parts.remarks, remarks_on_symmetry(parts, magnitudes));
   if (!parts.pairs.empty()) append(parts.remarks, remarks_on_pivots(scene, part));
   const std::vector<ContactPatch<dim>> patches = contact_nodes_of(parts);
   if (parts.pairs.empty() && !parts.interface.sticks && !parts.interface.rolling)
