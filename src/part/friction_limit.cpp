@@ -175,12 +175,19 @@ std::string key_of_friction(const Scene& scene) {
   return "friction.coefficient";
 }
 
+/// Else friction is known in the run alone.
+bool friction_is_of_time(const Scene& scene) {
+  const std::vector<const char*> others = {"h", "s", "x0", "y0", "z0"};
+  return std::ranges::none_of(others,
+                              [&](const char* name) { return reads_in_friction(scene, name); });
+}
+
 }  // namespace
 
 template <int dim>
-std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration) {
-  if (parts.interface.friction_factor.varies()) return "";
-  const auto first = excess_of_friction(parts, duration);
+std::string remark_on_friction(const Scene& scene, const AssemblyParts<dim>& parts) {
+  if (!friction_is_of_time(scene)) return "";
+  const auto first = excess_of_friction(parts, scene.real("time.end"));
   if (!first) return "";
   return fmt::format(
       "at t = {:.4g} s and tau = {:.4g} the force along the surface, {:.4g}, becomes more than "
@@ -191,8 +198,7 @@ std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration)
 template <int dim>
 void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (dim == 3 || scene.given("time.until")) return;  // the run may end before
-  for (const char* name : {"h", "s", "x0", "y0", "z0"})
-    if (reads_in_friction(scene, name)) return;  // known in the run alone
+  if (!friction_is_of_time(scene)) return;
   if (const auto first = excess_of_friction(parts, scene.real("time.end")))
     refuse(scene, key_of_friction(scene),
            fmt::format("a larger coefficient: from t = {:.4g} s on the force along the surface, "
@@ -200,8 +206,8 @@ void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& part
                        first->t, first->force, first->holds));
 }
 
-template std::string remark_on_friction(const AssemblyParts<2>&, double);
-template std::string remark_on_friction(const AssemblyParts<3>&, double);
+template std::string remark_on_friction(const Scene&, const AssemblyParts<2>&);
+template std::string remark_on_friction(const Scene&, const AssemblyParts<3>&);
 template void require_balanced_rolling(const Scene&, const AssemblyParts<2>&);
 template void require_balanced_rolling(const Scene&, const AssemblyParts<3>&);
 

@@ -7,9 +7,10 @@
 
 namespace gnomon::part {
 
-/// When forces on a counter-body are first more than friction holds, if they are.
+/// When forces on a counter-body are first more than friction holds, if a scene tells that they
+/// are.
 template <int dim>
-std::string remark_on_friction(const AssemblyParts<dim>& parts, double duration);
+std::string remark_on_friction(const Scene& scene, const AssemblyParts<dim>& parts);
 
 /// Throws InputError where such forces, of pairs those beside loads on a body that nothing else
 /// holds, are more than friction carries in steady rolling in the plane, as far as a scene tells.

@@ -145,7 +145,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
   if (parts.interface.sticks) {
     require_path(scene, parts);
     parts.interface.memory_follows = memory_follows(scene);
-    if (std::string remark = remark_on_friction(parts, scene.real("time.end")); !remark.empty())
+    if (std::string remark = remark_on_friction(scene, parts); !remark.empty())
       parts.remarks.push_back(std::move(remark));
     if (parts.pairs.size() > 1)
       parts.remarks.push_back(

@@ -154,6 +154,17 @@ TEST_F(LoadsOfAPath, ExpectedDepthsScaleWithTheBody) {
                              "counter_body.press.2.force=0.00666"}));
 }
 
+/// Of a factor that reads the depth it is known in the run alone.
+TEST_F(LoadsOfAPath, FrictionThatFallsBelowTheForceIsTold) {
+  const auto remarks = [this](const std::string& factor) {
+    return model(cylinder(), {"friction.factor=\"" + factor + "\""})->remarks;
+  };
+  const auto told = ::testing::Contains(HasSubstr("becomes more than friction holds"));
+  EXPECT_THAT(remarks("1-0.8*t/1000"), ::testing::Contains(HasSubstr("at t = 500 s")));
+  EXPECT_THAT(remarks("1-0.3*t/1000"), ::testing::Not(told));
+  EXPECT_THAT(remarks("1-0.8*t/1000-h"), ::testing::Not(told));
+}
+
 TEST_F(LoadsOfAPath, FrictionMayVanish) {
   const std::string drive = bed();
   const auto force = [&](const std::string& factor) {
