@@ -42,6 +42,8 @@ public:
     try {
       from ? resume(*from) : start();
       outcome_.status = integrate();
+    } catch (const Interruption&) {  // of the start
+      outcome_.status = Status::interrupted;
     } catch (const SolutionError& error) {
       fail(error);
     } catch (const RecoverableError& error) {  // of a state that no solver has proposed: the start
@@ -51,7 +53,7 @@ public:
       throw;
     }
     if (outcome_.last && policy_.examine_end) examine_end();
-    if (outcome_.status != Status::failed)
+    if (outcome_.status != Status::failed && outcome_.last)
       for (const std::string& text :
            end_warnings(observed_, invisible_volume(model().grid, dimension_of(observed_)),
                         memory_.chattering.nodes(), integrator_, settings_))
@@ -86,6 +88,7 @@ private:
   }
 
   void start() {
+    const Interruptible here(hooks_.interrupted);
     state() = model().start(counters_);
     if (epochs_.replace_overdue(state())) {
       watch_model();

@@ -1,4 +1,5 @@
-// A run that is interrupted within a step ends with the state before it.
+// A run that is interrupted within a step ends with the state before it, and in the start without
+// one.
 #include <gtest/gtest.h>
 
 #include <gnomon/run/run.hpp>
@@ -28,6 +29,17 @@ TEST(InterruptedStep, EndsAtTheLastOne) {
   EXPECT_EQ(times.back(), 1);
   ASSERT_TRUE(outcome.state);
   EXPECT_EQ(outcome.state->t, 1);
+}
+
+TEST(InterruptedStep, MayBeTheStart) {
+  const auto model = model_of("winkler/pin.toml", {"foundation.points=21"});
+  RunHooks hooks;
+  hooks.interrupted = [] { return true; };
+  const RunOutcome outcome =
+      run(*model, Integrators::find("backward-euler", "integrator"), {}, {}, nullptr, hooks);
+  EXPECT_EQ(outcome.text(), "interrupted");
+  EXPECT_FALSE(outcome.last);
+  EXPECT_EQ(outcome.counters.newton_iterations, 0);
 }
 
 }  // namespace
