@@ -132,20 +132,20 @@ std::vector<std::string> doubts(const Examination& facts) {
         "too coarse for what slips");
   else if (std::abs(facts.power_by_driving - 1) > undriven)
     found.push_back(fmt::format(
-        "friction of similar bodies that roll dissipates {:.2g} times the power of what drives "
-        "them: pressures move along their surfaces, by the mesh, small blocks or strains (a finer "
-        "mesh there or larger blocks tell)",
+        "friction in rolling dissipates {:.2g} times the power of what drives it: pressures move "
+        "along the surfaces, by the mesh, small blocks or strains (a finer mesh there or larger "
+        "blocks tell)",
         facts.power_by_driving));
   else if (std::abs(facts.upwind_power) > unbalanced)
-    found.push_back(
-        fmt::format("in rolling {:.2g} of the power of friction comes from differences along the "
-                    "velocity, not from what drives it: it needs a finer mesh there",
-                    facts.upwind_power));
+    found.push_back(fmt::format(
+        "in rolling differences along the velocity {} {:.2g} times the power of friction: "
+        "it needs a finer mesh there",
+        facts.upwind_power > 0 ? "add" : "take", std::abs(facts.upwind_power)));
   if (facts.worn_radius > worn)
     found.push_back(fmt::format(
         "{:.2g} % of the radius of a roller with this path has worn off, and path and curvature "
-        "are still those of the scene: unless the rate reads the depth (docs/rolling.md) the depth "
-        "is too small by about {:.2g} %",
+        "are still those of the scene: the depth is too small by about {:.2g} %, or, where the "
+        "rate reads it (docs/rolling.md), worn_volume as much too large",
         100 * facts.worn_radius, 50 * facts.worn_radius));
   if (facts.overlap > inside * facts.size)
     found.push_back(fmt::format(

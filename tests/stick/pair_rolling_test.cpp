@@ -159,7 +159,7 @@ TEST_F(PairRolling, FrictionWithoutThePowerOfWhatDrivesSimilarBodiesIsTold) {
       EXPECT_NEAR(facts.power_by_driving, similar ? part : 1, 2e-3);
       const std::vector<std::string> found = doubts(facts);
       const std::string said =
-          part < 1e-6 ? "all that rolls sticks" : "times the power of what drives them";
+          part < 1e-6 ? "all that rolls sticks" : "times the power of what drives it";
       EXPECT_EQ(std::ranges::count_if(found,
                                       [&said](const std::string& doubt) {
                                         return doubt.find(said) != std::string::npos;
