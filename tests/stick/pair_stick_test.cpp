@@ -402,6 +402,19 @@ TEST_F(PairFretting, WhatBothBodiesHoldRubsWhereTheyMove) {
   EXPECT_NEAR(observed(*model, start, "friction_force") / (0.3 * 10), 1, 1e-3);
 }
 
+/// The flank of a blade root, at 45 degrees, is pulled until all slips: N = sqrt(2) F / (1 + f) and
+/// T = f N, for 210 N.
+TEST_F(PairFretting, FrictionOfAnInclinedFlankIsAlongIt) {
+  constexpr double f = 0.1, F = 210;
+  const auto model =
+      make_model(load_scene(shipped("dovetail.toml"),
+                            {"pair.1.friction=0.1", "cycle.phases=4", "mesh.factor=2"}, key_table));
+  Counters counters;
+  EXPECT_NEAR(
+      observed(*model, model->start(counters), "friction_force") / (f * std::sqrt(2) * F / (1 + f)),
+      1, 5e-3);
+}
+
 /// A node that opens may keep the least number as its multiplier, which is no pressure once divided
 /// by an area that is more than one.
 TEST_F(PairFretting, TheLeastPressureHasDerivatives) {

@@ -20,11 +20,12 @@ struct PhaseContact {
 /// turns also its angle, and the moment about its axis.
 template <int dim>
 struct PlaceAndForce {
-  Vector<dim> place = Vector<dim>::Zero();    ///< [length]
-  Vector<dim> force = Vector<dim>::Zero();    ///< that moves it there
-  Vector<dim> contact = Vector<dim>::Zero();  ///< what the contact carries of it
-  double angle = 0;                           ///< [rad]
-  double moment = 0;                          ///< [force length]
+  Vector<dim> place = Vector<dim>::Zero();     ///< [length]
+  Vector<dim> force = Vector<dim>::Zero();     ///< that moves it there
+  Vector<dim> contact = Vector<dim>::Zero();   ///< what the contact carries of it
+  Vector<dim> friction = Vector<dim>::Zero();  ///< the part of that along the contact
+  double angle = 0;                            ///< [rad]
+  double moment = 0;                           ///< [force length]
 };
 
 template <int dim>
