@@ -7,6 +7,7 @@
 #include <gnomon/results/surface_difference.hpp>
 #include <gnomon/system/system.hpp>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "budget/inner_contact.hpp"
@@ -82,12 +83,34 @@ bool is_of_friction(const std::string& value) {
   return value == "friction_work" || value == "friction_power" || value.starts_with("creepage_");
 }
 
-/// Whether bodies meet each other.
-bool several_touch(const Goals& goals) {
+/// How many bodies touch.
+std::size_t touching_bodies(const Goals& goals) {
   std::set<int> bodies;
   for (std::size_t i = 0; i < goals.body.size(); ++i)
     if (goals.surface.pressure[i] > 0) bodies.insert(goals.body[i]);
-  return bodies.size() > 1;
+  return bodies.size();
+}
+
+/// Whether contact in the plane is one straight line, on each of the bodies, so that it is as long
+/// as its ends are apart.
+bool is_one_line(const Goals& goals, const std::vector<std::vector<std::size_t>>& neighbours) {
+  constexpr double straight = 0.98;  // cosine
+  const auto at = [&](std::size_t i) {
+    return Eigen::Vector3d::Map(goals.surface.initial[i].data());
+  };
+  const auto patches = budget::patches_of(goals.surface, neighbours);
+  if (patches.size() > std::max<std::size_t>(1, touching_bodies(goals))) return false;
+  for (std::size_t k = 0; !neighbours.empty() && k < patches.size(); ++k) {
+    std::optional<Eigen::Vector3d> first;
+    for (const std::size_t i : patches[k])
+      for (const std::size_t j : neighbours[i]) {
+        if (!(goals.surface.pressure[j] > 0)) continue;
+        const Eigen::Vector3d along = (at(j) - at(i)).normalized();
+        if (!first) first = along;
+        if (std::abs(along.dot(*first)) < straight) return false;
+      }
+  }
+  return true;
 }
 
 }  // namespace
@@ -109,7 +132,7 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   const auto neighbours = budget::surface_neighbours(model.grid, goals.surface);
   goals.inner = budget::inner_nodes(goals.surface, neighbours);
   if (model.grid) add_edges(*model.grid, neighbours, goals);
-  if (several_touch(goals))
+  if (touching_bodies(goals) > 1)
     goals.inner = budget::without_edges(goals.surface, neighbours, goals.inner);
   if (const auto difference = wear_difference(observed); difference && *difference != 0)
     goals.ledger = std::abs(*difference / *value_of(observed, "worn_volume"));
@@ -123,10 +146,11 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   const auto half_width = value_of(observed, "contact_half_width");
   const bool in_plane = half_width && !(area && area->unit == "mm^2");
   add(in_plane ? "contact_half_width" : "contact_area");
-  const double size = in_plane ? 2 * *half_width : area ? area->value : 0;
-  if (const auto bound = value_of(observed, "contact_area_error"); bound && !in_plane && size > 0)
+  const bool by_ends = in_plane && is_one_line(goals, neighbours);
+  const double size = by_ends ? 2 * *half_width : area ? area->value : 0;
+  if (const auto bound = value_of(observed, "contact_area_error"); bound && !by_ends && size > 0)
     goals.area = (goals.surface.dim == 2 ? 0.5 : 0.25) * *bound / size;
-  if (in_plane) add_edge_pressure(size, observed, goals);
+  if (by_ends) add_edge_pressure(size, observed, goals);
   if (const auto force = value_of(observed, "contact_force")) {
     goals.values.push_back({"mean_pressure", "MPa", size > 0 ? *force / size : 0});
     goals.values.push_back(

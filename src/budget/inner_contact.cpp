@@ -18,7 +18,8 @@ Eigen::Vector3d place_of(const ContactSurface& surface, std::size_t node) {
   return Eigen::Vector3d::Map(surface.initial[node].data());
 }
 
-/// Connected nodes under pressure. Where no neighbours are known they are one patch.
+}  // namespace
+
 std::vector<Nodes> patches_of(const ContactSurface& surface, const std::vector<Nodes>& neighbours) {
   std::vector<Nodes> patches;
   std::vector<char> open(surface.pressure.size());
@@ -38,6 +39,8 @@ std::vector<Nodes> patches_of(const ContactSurface& surface, const std::vector<N
   }
   return patches;
 }
+
+namespace {
 
 /// Whether the nodes of a patch at an end of its box do not move out of that plane, while others do
 /// move along its normal.

@@ -10,6 +10,10 @@ namespace gnomon::budget {
 std::vector<std::vector<std::size_t>> surface_neighbours(const std::optional<Grid>& grid,
                                                          const ContactSurface& surface);
 
+/// Connected nodes under pressure. Where no neighbours are known they are one patch.
+std::vector<std::vector<std::size_t>> patches_of(
+    const ContactSurface& surface, const std::vector<std::vector<std::size_t>>& neighbours);
+
 /// The nodes under pressure within 0.9 of each connected patch of the contact, from its middle to
 /// its edge. An ellipse stands for a patch: that of the covariance of its nodes, as large as the
 /// farthest of them. A patch that ends at a plane of symmetry, x, y or z = constant along whose

@@ -31,9 +31,9 @@ struct Goals {
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
   /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
   /// approach. profile is the paper's norm of the change of shape. mean_pressure is contact_force
-  /// over contact_area, in plane strain over the distance of the ends of contact; inner_pressure
-  /// the root mean square over the nodes within 0.9 of each connected patch of the contact, from
-  /// its middle to its edge.
+  /// over contact_area, in plane strain over the distance of the ends of contact where it is
+  /// straight; inner_pressure the root mean square over the nodes within 0.9 of each connected patch
+  /// of the contact, from its middle to its edge.
   std::vector<Scalar> values;
   ContactSurface surface;
   std::vector<std::size_t> inner{};  ///< nodes of the surface to which inner_pressure belongs
