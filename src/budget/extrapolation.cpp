@@ -137,4 +137,11 @@ void extrapolate(BudgetPart& part, const std::vector<Scalar>& values,
         fmt::join(growing, ", "));
 }
 
+void respect_run(const std::vector<double>& by_run, double finer, std::vector<double>& errors) {
+  constexpr double safe = 3;
+  for (std::size_t i = 0; finer > 1 && i < errors.size(); ++i)
+    if (const double most = safe * std::abs(by_run[i]) / (finer - 1); most < std::abs(errors[i]))
+      errors[i] = most;
+}
+
 }  // namespace gnomon::budget
