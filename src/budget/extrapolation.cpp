@@ -99,6 +99,7 @@ void respect_area(const Goals& goals, std::vector<double>& errors) {
     const std::string& name = goals.values[i].name;
     if (name == "contact_area" || name == "mean_pressure")
       errors[i] = std::max(std::abs(errors[i]), goals.area);
+    if (name == "max_pressure") errors[i] = std::max(std::abs(errors[i]), goals.peak_at_edge);
     if (name == "inner_pressure") errors[i] = std::abs(errors[i]) + goals.pressure_open;
   }
 }

@@ -25,7 +25,8 @@ std::vector<double> mesh_differences(const Goals& coarse, const Goals& fine);
 std::vector<double> errors_of_coarser(const Goals& coarse, const Goals& fine);
 
 /// Errors of the mesh of a run are, in the area of contact and the pressure over it, at least what
-/// its own last closed nodes leave open: the difference of two meshes may be small by chance. In
+/// its own last closed nodes leave open: the difference of two meshes may be small by chance. So is
+/// that of the largest pressure at least what it has at such a node alone. In
 /// that of the pressure inside, which differences() leave out, they are added.
 void respect_area(const Goals& goals, std::vector<double>& errors);
 

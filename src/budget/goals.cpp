@@ -65,6 +65,19 @@ void add_edge_pressure(double size, const Observation& observed, Goals& goals) {
   goals.pressure_open = std::max(std::abs(off), typical * even * *bound / size);
 }
 
+/// Goals::peak_at_edge.
+double peak_at_edge(const ContactSurface& surface,
+                    const std::vector<std::vector<std::size_t>>& neighbours) {
+  double inside = 0, most = 0;
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    const bool is_inside =
+        std::ranges::all_of(neighbours[i], [&](std::size_t j) { return surface.pressure[j] > 0; });
+    most = std::max(most, surface.pressure[i]);
+    if (is_inside) inside = std::max(inside, surface.pressure[i]);
+  }
+  return inside > 0 ? 1 - inside / most : 0;
+}
+
 /// With the sizes of the elements at the surface.
 void add_edges(const Grid& grid, const std::vector<std::vector<std::size_t>>& neighbours,
                Goals& goals) {
@@ -131,6 +144,7 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
               .surface = std::move(*surface)};
   const auto neighbours = budget::surface_neighbours(model.grid, goals.surface);
   goals.inner = budget::inner_nodes(goals.surface, neighbours);
+  goals.peak_at_edge = peak_at_edge(goals.surface, neighbours);
   if (model.grid) add_edges(*model.grid, neighbours, goals);
   if (touching_bodies(goals) > 1)
     goals.inner = budget::without_edges(goals.surface, neighbours, goals.inner);

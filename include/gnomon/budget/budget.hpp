@@ -28,12 +28,14 @@ struct Goals {
   /// over the distance of the ends of contact, in the place of the whole shares of the last closed
   /// nodes; and what these leave open of inner_pressure, as a part of it.
   double pressure_by_ends = 1, pressure_open = 0;
+  /// What of max_pressure a last closed node has more than all inside of the contact, as a part.
+  double peak_at_edge = 0;
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
   /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
   /// approach. profile is the paper's norm of the change of shape. mean_pressure is contact_force
   /// over contact_area, in plane strain over the distance of the ends of contact where it is
-  /// straight; inner_pressure the root mean square over the nodes within 0.9 of each connected patch
-  /// of the contact, from its middle to its edge.
+  /// straight; inner_pressure the root mean square over the nodes within 0.9 of each connected
+  /// patch of the contact, from its middle to its edge.
   std::vector<Scalar> values;
   ContactSurface surface;
   std::vector<std::size_t> inner{};  ///< nodes of the surface to which inner_pressure belongs
