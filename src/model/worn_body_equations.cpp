@@ -10,6 +10,8 @@
 #include <gnomon/terms/springs.hpp>
 #include <gnomon/terms/stick_term.hpp>
 
+#include "model/connected_parts.hpp"
+
 namespace gnomon {
 
 namespace {
@@ -42,6 +44,8 @@ WornBodyEquations<dim>::WornBodyEquations(std::shared_ptr<const Assembly<dim>> a
       composition->prescribed.push_back(std::move(held));
     }
   composition->position = points_in_space<dim>(assembly_->mesh.nodes);
+  composition->part = connected_parts(assembly_->mesh);
+  composition->part.resize(composition->fields->nodes + 1, -1);
   composition->solver = assembly_->solver;
   composition->coarsening = coarsening(*assembly_);
   composition_ = composition;

@@ -160,7 +160,7 @@ int motion(Role role) {
 }  // namespace
 
 /// The largest change, from `y0` to `y`, of the difference of a displacement or shape between
-/// neighbours, divided by their distance: of the order of the relative change of the slow part.
+/// neighbours in a body, divided by their distance: of the order of the change of the slow part.
 template <int dim>
 double ComposedSystem<dim>::change_of_strain(std::span<const double> y0,
                                              std::span<const double> y) const {
@@ -168,6 +168,8 @@ double ComposedSystem<dim>::change_of_strain(std::span<const double> y0,
   const std::vector<Block>& blocks = composition_->fields->blocks;
   const auto kind_of = [&](int i) { return motion(blocks[structure_.block[i]].role); };
   const auto place = [this](int i) { return structure_.position[structure_.group[i]]; };
+  const std::vector<int>& part = composition_->part;
+  const auto part_of = [&](int i) { return part.empty() ? 0 : part[structure_.group[i]]; };
   double largest = 0;
 #pragma omp parallel for reduction(max : largest)
   for (int j = 0; j < pattern.size(); ++j) {
@@ -177,8 +179,8 @@ double ComposedSystem<dim>::change_of_strain(std::span<const double> y0,
     const std::array<double, 3> at = place(j);
     for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
       const int i = pattern.row_index[k];
-      if (i <= j || structure_.component[i] != structure_.component[j] || kind_of(i) != kind)
-        continue;
+      const bool alike = structure_.component[i] == structure_.component[j] && kind_of(i) == kind;
+      if (i <= j || !alike || part_of(i) != part_of(j)) continue;
       const double difference = y[i] - y0[i] - change;
       const std::array<double, 3> other = place(i);
       double square = 0;

@@ -28,6 +28,9 @@ struct Composition {
   std::vector<std::array<double, 3>> position;  ///< of the mesh nodes, initial [length]
   std::shared_ptr<const std::vector<NodeInterpolation>> coarsening;  ///< as in Structure
   LinearSolverMaker solver;
+  /// Of the mesh nodes, and at last of what is at no node: to which part of the mesh they belong,
+  /// as of two bodies that touch; empty: all to one.
+  std::vector<int> part;
 };
 
 /// F is the sum of the terms; the rows are those of the unknowns of the selected blocks. Not safe
