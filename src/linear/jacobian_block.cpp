@@ -55,8 +55,16 @@ SymmetricPart::SymmetricPart(const SparsePattern& pattern, const std::vector<int
   for (int j : unknowns)
     add(j, rows.subspan(pattern.column_start[j],
                         pattern.column_start[j + 1] - pattern.column_start[j]));
-  for (const std::vector<int>& clique : joined)
-    for (int j : clique) add(j, clique);
+  for (std::vector<int> clique : joined) {
+    std::ranges::sort(clique);
+    for (std::size_t j = 0; j < clique.size(); ++j) {
+      const auto first = clique.begin() + std::ptrdiff_t(j);
+      std::vector<int> below;
+      std::transform(first, clique.end(), std::back_inserter(below),
+                     [&](int unknown) { return number_[unknown]; });
+      lower.add(below, {number_[*first]});
+    }
+  }
   lower_ = lower.build();
   // Unknowns ascend, so that each column of J is met in the order of its rows.
   std::vector<int> next = pattern.column_start;
