@@ -115,7 +115,7 @@ void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight
       add_path(at, sides_[s], result.sides[s], rate_weight, values);
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (result.facets[f].masters.empty()) continue;
+    if ((*result.facets)[f].masters.empty()) continue;
     // One after the other: in space each is large.
     const auto [slave, masters] = places_of(facets_[f], at, result);
     const MortarFacetTangent<dim> tangent(slave, masters, facets_[f].masters, state_.section,

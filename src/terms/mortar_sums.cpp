@@ -50,17 +50,19 @@ std::pair<FacetPair<dim>, std::vector<FacetNodal<dim>>> MortarTerm<dim>::places_
 
 template <int dim>
 void MortarTerm<dim>::add_facets(const Evaluation<dim>& at, Surfaces& result) const {
+  auto facets = std::make_shared<std::vector<MortarFacet<dim>>>();
+  result.facets = facets;
   for (const SlaveFacet& facet : facets_) {
     const auto [slave, masters] = places_of(facet, at, result);
-    result.facets.emplace_back(slave, masters, facet.masters, state_.section,
-                               state_.pairs[facet.pair].reach);
+    const MortarFacet<dim>& sums = facets->emplace_back(
+        slave, masters, facet.masters, state_.section, state_.pairs[facet.pair].reach);
     for (int a = 0; a < corners; ++a) {
       SideState& state = result.sides[facet.sides[a]];
-      state.area += result.facets.back().D[a];
-      state.gap += result.facets.back().gap[a];
+      state.area += sums.D[a];
+      state.gap += sums.gap[a];
     }
     if (!state_.path) continue;
-    for (const auto& covering : result.facets.back().masters) {
+    for (const auto& covering : sums.masters) {
       const FacetNodal<dim> shared = covering.M * labels_of(at, facet.pair, covering.facet);
       for (int a = 0; a < corners; ++a)
         result.sides[facet.sides[a]].covering += shared.row(a).transpose();
@@ -109,7 +111,7 @@ template <int dim>
 void MortarTerm<dim>::add_masters(Surfaces& result) const {
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     const MortarPair<dim>& pair = state_.pairs[facets_[f].pair];
-    for (const auto& covering : result.facets[f].masters)
+    for (const auto& covering : (*result.facets)[f].masters)
       for (int b = 0; b < corners; ++b) {
         SideState& master = result.sides[side_of(facets_[f].pair, pair.master[covering.facet][b])];
         for (int a = 0; a < corners; ++a) {
@@ -161,7 +163,10 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
 }
 
 template <int dim>
-typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<dim>& at) const {
+const typename MortarTerm<dim>::Surfaces& MortarTerm<dim>::geometry(
+    const Evaluation<dim>& at) const {
+  const NodalField<dim>&u = at.values.vector(state_.u), &d = at.values.vector(state_.d);
+  if (geometry_ && geometry_->u == u && geometry_->d == d) return geometry_->surfaces;
   Surfaces result;
   result.sides.resize(sides_.size());
   for (std::size_t s = 0; s < sides_.size(); ++s) {
@@ -177,6 +182,13 @@ typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<di
                              : Tensor<dim>(turn * along->second * turn.transpose()));
   }
   add_facets(at, result);
+  geometry_ = Geometry{u, d, std::move(result)};
+  return geometry_->surfaces;
+}
+
+template <int dim>
+typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<dim>& at) const {
+  Surfaces result = geometry(at);
   for (std::size_t s = 0; s < sides_.size(); ++s)
     if (sides_[s].slave) find_traction(at, sides_[s], result.sides[s]);
   add_masters(result);
@@ -248,6 +260,7 @@ template std::pair<FacetPair<2>, std::vector<FacetNodal<2>>> MortarTerm<2>::plac
     const SlaveFacet&, const Evaluation<2>&, const Surfaces&) const;
 template double MortarTerm<2>::depth(const Evaluation<2>&, const Side&) const;
 template WearMoment MortarTerm<2>::moment(const Evaluation<2>&, const Side&) const;
+template const MortarTerm<2>::Surfaces& MortarTerm<2>::geometry(const Evaluation<2>&) const;
 template MortarTerm<2>::Surfaces MortarTerm<2>::surfaces(const Evaluation<2>&) const;
 template void MortarTerm<2>::switching(const Evaluation<2>&, std::span<double>) const;
 template std::vector<ContactNode<2>> MortarTerm<2>::nodes(const Evaluation<2>&) const;
@@ -256,6 +269,7 @@ template std::pair<FacetPair<3>, std::vector<FacetNodal<3>>> MortarTerm<3>::plac
     const SlaveFacet&, const Evaluation<3>&, const Surfaces&) const;
 template double MortarTerm<3>::depth(const Evaluation<3>&, const Side&) const;
 template WearMoment MortarTerm<3>::moment(const Evaluation<3>&, const Side&) const;
+template const MortarTerm<3>::Surfaces& MortarTerm<3>::geometry(const Evaluation<3>&) const;
 template MortarTerm<3>::Surfaces MortarTerm<3>::surfaces(const Evaluation<3>&) const;
 template void MortarTerm<3>::switching(const Evaluation<3>&, std::span<double>) const;
 template std::vector<ContactNode<3>> MortarTerm<3>::nodes(const Evaluation<3>&) const;

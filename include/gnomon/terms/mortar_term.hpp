@@ -42,6 +42,7 @@
 #include <gnomon/terms/mortar_pair.hpp>
 #include <gnomon/terms/mortar_traction.hpp>
 #include <gnomon/terms/places_on_partner.hpp>
+#include <memory>
 #include <optional>
 
 namespace gnomon {
@@ -143,7 +144,13 @@ private:
   /// All sums at a state.
   struct Surfaces {
     std::vector<SideState> sides;
-    std::vector<MortarFacet<dim>> facets;
+    std::shared_ptr<const std::vector<MortarFacet<dim>>> facets;
+  };
+  /// What of them positions alone determine, at the last state: the residual, switching functions
+  /// and J are mostly asked for at one state.
+  struct Geometry {
+    NodalField<dim> u, d;
+    Surfaces surfaces;
   };
   void find_sides();
   void find_facets();
@@ -155,6 +162,8 @@ private:
   PatchNodal<dim> positions(const Evaluation<dim>& at, const ContactPatch<dim>& patch,
                             const BodyPlace<dim>* place) const;
   Surfaces surfaces(const Evaluation<dim>& at) const;
+  /// Without tractions and wear.
+  const Surfaces& geometry(const Evaluation<dim>& at) const;
   /// Of a facet, and current ones of its candidates.
   std::pair<FacetPair<dim>, std::vector<FacetNodal<dim>>> places_of(const SlaveFacet& facet,
                                                                     const Evaluation<dim>& at,
@@ -242,6 +251,7 @@ private:
   std::vector<Side> sides_;
   std::vector<SlaveFacet> facets_;
   const SparsePattern* pattern_ = nullptr;
+  mutable std::optional<Geometry> geometry_;
 };
 
 }  // namespace gnomon
