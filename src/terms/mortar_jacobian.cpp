@@ -105,6 +105,20 @@ void MortarTerm<dim>::add_master(const SlaveFacet& facet, const Surfaces& at, in
   }
 }
 
+/// Whether J depends on the sums of a facet: not where it is open and shares nothing with what
+/// wears.
+template <int dim>
+bool MortarTerm<dim>::adds(const SlaveFacet& facet, const MortarFacet<dim>& sums,
+                           const Surfaces& at) const {
+  if (state_.path || !mean_numbers_.empty()) return !sums.masters.empty();
+  const auto acts = [&](int side) { return at.sides[side].active || at.sides[side].direction; };
+  return std::ranges::any_of(sums.masters, [&](const auto& covering) {
+    return std::ranges::any_of(facet.sides, acts) ||
+           std::ranges::any_of(state_.pairs[facet.pair].master[covering.facet],
+                               [&](int node) { return acts(side_of(facet.pair, node)); });
+  });
+}
+
 template <int dim>
 void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight,
                                    std::span<double> values) const {
@@ -115,7 +129,7 @@ void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight
       add_path(at, sides_[s], result.sides[s], rate_weight, values);
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if ((*result.facets)[f].masters.empty()) continue;
+    if (!adds(facets_[f], (*result.facets)[f], result)) continue;
     // One after the other: in space each is large.
     const auto [slave, masters] = places_of(facets_[f], at, result);
     const MortarFacetTangent<dim> tangent(slave, masters, facets_[f].masters, state_.section,
