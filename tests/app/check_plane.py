@@ -12,6 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
 from figures import counter, curves, cycle, groups, mesh, plane, pressure, shape, style  # noqa: E402
+from figures.complaints import Unsuitable  # noqa: E402
 from figures.result import Clock, Item, Result, Surface  # noqa: E402
 
 style.apply()
@@ -256,3 +257,44 @@ where, values = cycle.map_of(cyclic, curves.of(cyclic)[0], 1)
 assert (np.diff(where) > 0).all() and values.shape == (2, len(where))
 assert (values[0][np.abs(where) <= 1] == 5).all() and not values[1].any()
 assert not cycle.goes_back(cyclic) and cycle.goes_back(bore(0.01, 2.5))
+
+
+# The pressure in a full bore, which x does not order, is drawn along it and not cut in two where it begins.
+def full_bore(count, of_top=0.0, begin=0):
+    """Pressure around the lowest point, where rows begin or `begin` rows after it, and `of_top` at
+    the highest one."""
+    angle = 2 * np.pi * np.arange(begin, begin + count) / count
+    x, y = -10 * np.sin(angle), -10 * np.cos(angle)
+    load = np.maximum(np.cos(angle) - 0.5, 0) + np.where(angle == np.pi, of_top, 0)
+    node = np.arange(count)
+    ring = np.stack([node, np.roll(node, -1), np.roll(node, -1) + count, node + count], axis=1)
+    columns = {"node": node, "X0": x, "Y0": y, "Z0": 0 * x, "x": x, "y": y, "pressure": load}
+    made = np.rec.fromarrays(list(columns.values()), names=list(columns))
+    return types.SimpleNamespace(cells=ring, dim=2, times=np.array([0.0, 9.0]), has_pairs=False,
+                                 axes=("x", "y"), clock=Clock("s", 1.0), name="bore", history=[0, 1],
+                                 some_steps=lambda most: [1], attribute=lambda _: "worn_body",
+                                 contact=lambda step: made)
+
+
+figure = pressure.draw(full_bore(80))
+length, load = figure.axes[0].lines[1].get_data()
+assert (np.diff(length) > 0).all() and len(length) == 81, "one turn"
+assert np.allclose(length[load > 0], -length[load > 0][::-1]), "the contact is in one piece"
+assert np.isclose(length[np.argmax(load)], 0) and np.sum(np.diff(load > 0) != 0) == 2
+assert figure.axes[0].get_xlabel() == "length along the initial surface [mm]"
+length = pressure.draw(full_bore(80, of_top=1.0)).axes[0].lines[1].get_xdata()
+assert np.isclose(np.ptp(length), 160 * 10 * np.sin(np.pi / 80)), "also where it is touched opposite"
+
+# Of two bodies that meet it is told whose pressure it is.
+pair = full_bore(80)
+pair.has_pairs, pair.bodies, pair.names_of_bodies = True, np.zeros(80, int), {0: "cam"}
+assert pressure.draw(pair).axes[0].get_xlabel().endswith("   on cam")
+
+# Two results are compared along it where their meshes begin at the same place.
+figure = pressure.draw_two(full_bore(72), full_bore(120))
+assert np.abs(figure.axes[-1].lines[1].get_ydata()).max() < 0.01
+try:
+    pressure.draw_two(full_bore(80), full_bore(120, begin=30))
+    raise AssertionError("lengths of other places")
+except Unsuitable:
+    pass

@@ -3,30 +3,86 @@ and across it."""
 
 import numpy
 
-from . import space
+from . import shape, space
 from .complaints import Unsuitable
 
 
 class Curve:
     """Rows of the contact table along a curve, by column and in the order of its `axis`."""
 
-    def __init__(self, result, axis, where, of, axis_name=None):
-        """`of(table)`: the rows along the curve of a contact table."""
+    def __init__(self, result, axis, where, of, axis_name=None, breaks=()):
+        """`of(table)`: the rows along the curve of a contact table; it does not go on before the
+        rows `breaks`."""
         self.result, self.axis, self.where, self.of = result, axis, where, of
-        self.axis_name = axis_name or axis
+        self.axis_name, self.breaks = axis_name or axis, breaks
 
     def at(self, step):
         return self.of(self.result.contact(step))
 
+    def label(self, initial=False):
+        """Of the axis of current or initial positions."""
+        name = self.axis_name.upper() if initial else self.axis_name
+        return self.label_of(f"${name}$ [mm]")
+
+    def label_of(self, quantity):
+        return quantity + (f"   {self.where}" if self.where else "")
+
+
+class Length(Curve):
+    """Over the length along the initial surface, where no coordinate orders its nodes."""
+
+    def label(self, initial=False):
+        return self.label_of("length along the initial surface [mm]")
+
 
 def of(result):
     if result.dim == 2:
-        axis = longer_axis(of_one_body(result, result.contact(0)))
-        return [Curve(result, axis, "", lambda table: in_order(of_one_body(result, table), axis),
+        first = of_one_body(result, result.contact(0))
+        axis = longer_axis(first)
+        return [Curve(result, axis, name_of_body(result, first),
+                      lambda table: in_order(of_one_body(result, table), axis),
                       result.axes["xy".index(axis)])]
     edges = edges_of(space.contact_faces(result))
-    return [Curve(result, "x", "$y$ = 0", lambda table: cut(table, edges, "y", "x")),
-            Curve(result, "y", "$x$ = 0", lambda table: cut(table, edges, "x", "y"))]
+    return [Curve(result, "x", "at $y$ = 0", lambda table: cut(table, edges, "y", "x")),
+            Curve(result, "y", "at $x$ = 0", lambda table: cut(table, edges, "x", "y"))]
+
+
+def of_whole_surface(result, steps):
+    """As of(), but where a surface in the plane turns back, along it. The curve of a closed one
+    begins where it does not cut the contact at these steps in two."""
+    lines = of(result)
+    if result.dim != 2:
+        return lines
+    first = of_one_body(result, result.contact(0))
+    order = numpy.argsort(first[lines[0].axis.upper() + "0"], kind="stable")
+    if (numpy.abs(numpy.diff(order)) == 1).all():  # ascends or descends
+        return lines
+    breaks = shape.breaks_of(result, first)
+    if len(shape.breaks_of(result, first[order])) <= len(breaks):
+        return lines
+    rows, ends = shape.outline(result, first, breaks)
+    length = shape.along(first[rows])
+    if len(rows) == len(first) + 1 and not len(breaks):  # closed
+        touched = [of_one_body(result, result.contact(step))["pressure"] > 0 for step in steps]
+        begin = middle_of_gap(numpy.any(touched, axis=0))
+        length = numpy.concatenate([length[begin:-1] - length[-1], length[:begin + 1]])
+        rows = numpy.concatenate([rows[begin:-1], rows[:begin + 1]])
+
+    def along(table):
+        own = of_one_body(result, table)[rows]
+        return {"length": length} | {name: own[name] for name in own.dtype.names}
+
+    return [Length(result, "length", lines[0].where, along, breaks=ends)]
+
+
+def middle_of_gap(touched):
+    """Of a closed curve: the row in the middle of the longest part that is not touched."""
+    at = numpy.flatnonzero(touched)
+    if not len(at):
+        return 0
+    gaps = numpy.diff(at, append=at[0] + len(touched))
+    longest = numpy.argmax(gaps)
+    return (at[longest] + gaps[longest] // 2) % len(touched)
 
 
 def longer_axis(table):
@@ -40,6 +96,12 @@ def of_one_body(result, table):
         return table
     bodies = result.bodies[table["node"]]
     return table[bodies == bodies[0]]
+
+
+def name_of_body(result, table):
+    """Of two bodies that meet: whose surface the table has."""
+    name = result.names_of_bodies.get(result.bodies[table["node"][0]]) if result.has_pairs else ""
+    return f"on {name}" if name else ""
 
 
 def in_order(table, axis):

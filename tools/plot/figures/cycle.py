@@ -43,7 +43,7 @@ def goes_back(result):
 def name_of(result, line):
     if goes_back(result):
         return "length along the initial surface [mm]"
-    return f"${line.axis_name.upper()}$ [mm]" + (f"   at {line.where}" if line.where else "")
+    return line.label(initial=True)
 
 
 def map_of(result, line, step):

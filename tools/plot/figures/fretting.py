@@ -72,7 +72,7 @@ def draw_zones(axes, result):
     axes.pcolormesh(cycle.parts_of_surface(where), borders, numpy.concatenate([states] * 3),
                     cmap=ListedColormap(colours), vmin=-0.5, vmax=2.5, edgecolor="face",
                     linewidth=0.1, rasterized=True)
-    axes.set_xlabel(f"${line.axis_name.upper()}$ [mm]" + (f"   at {line.where}" if line.where else ""))
+    axes.set_xlabel(line.label(initial=True))
     axes.set_ylabel("position in the cycle")
     axes.set_ylim(0, 1)
     touched = where[(states > 0).any(axis=0)]
@@ -92,7 +92,7 @@ def line_of(result, step):
     bodies = result.bodies[result.contact(step)["node"]]
     slip = numpy.abs(result.phase_slip(step)).sum(axis=(0, 2))
     carry = bodies == bodies[numpy.argmax(slip)]
-    return curves.Curve(result, line.axis, line.where,
+    return curves.Curve(result, line.axis, curves.name_of_body(result, result.contact(step)[carry]),
                         lambda table: curves.in_order(table[carry], line.axis), line.axis_name)
 
 

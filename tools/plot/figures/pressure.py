@@ -8,15 +8,15 @@ from matplotlib.lines import Line2D
 
 from . import curves, style
 from .complaints import Unsuitable
-from .shape import MOST_TIMES
+from .shape import MOST_TIMES, joined
 
 READABLE = 4  # times the lowest peak: higher ones get panels of their own
 MOST_ROWS = 3
 
 
 def draw(result):
-    lines = curves.of(result)
     steps = [0, *result.some_steps(MOST_TIMES)]
+    lines = curves.of_whole_surface(result, steps)
     tables = [[line.at(step) for step in steps] for line in lines]
     looks = [{"color": "black", "linestyle": "--", "linewidth": 0.8},
              *({"color": colour} for colour in style.sequence(len(steps) - 1))]
@@ -44,8 +44,10 @@ def draw_two(first, second):
              if numpy.isclose(first.times[i], t, rtol=1e-9)]
     if not pairs:
         raise Unsuitable("the results share no time after the start")
-    lines, others = curves.of(first), curves.of(second)
+    lines = curves.of_whole_surface(first, [i for i, _ in pairs])
+    others = curves.of_whole_surface(second, [j for _, j in pairs])
     tables = [[(line.at(i), other.at(j)) for i, j in pairs] for line, other in zip(lines, others)]
+    require_same_places(lines[0], others[0], *tables[0][0])
     groups = groups_of([peak(sum(states, ())) for states in zip(*tables)])
     figure, (*rows, below) = panels_for(lines, len(groups), name_of(first),
                                           differences=True)
@@ -68,6 +70,16 @@ def draw_two(first, second):
     style.legend_above_all(figure, names, times)
     figure.align_ylabels()
     return figure
+
+
+def require_same_places(line, other, first, second):
+    """Lengths are of the same places only if they begin at the same one; which it is on a closed
+    surface depends on the mesh."""
+    starts = [[table[name][numpy.abs(table["length"]).argmin()] for name in ("X0", "Y0")]
+              for table in (first, second) if "length" in table]
+    if line.axis != other.axis or starts and not numpy.allclose(
+            *starts, rtol=0, atol=1e-6 * numpy.ptp(first[line.axis])):
+        raise Unsuitable("it is not known which places of the two surfaces are the same")
 
 
 def difference(first, second, axis):
@@ -107,13 +119,14 @@ def panels_for(lines, rows, pressure_name, differences=False):
     if differences:
         panels[-1, 0].set_ylabel("second − first\n[MPa]")
     for axes, line in zip(panels[-1], lines):
-        axes.set_xlabel(f"${line.axis_name}$ [mm]" + (f"   at {line.where}" if line.where else ""))
+        axes.set_xlabel(line.label())
     return figure, panels
 
 
 def profile(axes, line, table, **look):
-    """Over the current position, where the pressure acts."""
-    return axes.plot(table[line.axis], table["pressure"], marker=".", markersize=2.2, **look)[0]
+    """Over the current position, where the pressure acts, or the length along the surface."""
+    columns = joined(line.breaks, table[line.axis], table["pressure"])
+    return axes.plot(*columns, marker=".", markersize=2.2, **look)[0]
 
 
 def frame(axes, tables, axis):

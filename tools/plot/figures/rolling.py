@@ -16,8 +16,7 @@ def draw(result):
                 label="traction of friction")
     slip.plot(where, 1e6 * slipped, color=style.COLOURS[5], marker="o", markersize=2)
     for axes in (stress, slip):
-        axes.set_xlabel(f"${line.axis_name.upper()}$ [mm]" +
-                        (f"   at {line.where}" if line.where else ""))
+        axes.set_xlabel(line.label(initial=True))
         axes.set_ylim(bottom=0)
     stress.legend()
     stress.set_ylabel("stress [MPa]")
