@@ -293,6 +293,13 @@ assert pressure.draw(pair).axes[0].get_xlabel().endswith("   on cam")
 # Two results are compared along it where their meshes begin at the same place.
 figure = pressure.draw_two(full_bore(72), full_bore(120))
 assert np.abs(figure.axes[-1].lines[1].get_ydata()).max() < 0.01
+
+# At the start, too, in black; the dashes are not hidden by dots of nodes.
+assert [text.get_text() for text in figure.legends[1].get_texts()] == ["0 s", "9 s"]
+one, two = figure.axes[0].lines[:2]
+assert one.get_color() == two.get_color() == "black" != figure.axes[0].lines[2].get_color()
+assert one.get_linestyle() == "-" and two.get_linestyle() == "--"
+assert one.get_marker() == two.get_marker() == ""
 try:
     pressure.draw_two(full_bore(80), full_bore(120, begin=30))
     raise AssertionError("lengths of other places")

@@ -36,14 +36,14 @@ def draw(result):
 
 
 def draw_two(first, second):
-    """At the times that both have stored: colours show time, dashes the second result. Below, the
-    pressure of the second minus that of the first."""
+    """At the times that both have stored: colours show time, black the start, dashes the second
+    result. Below, the pressure of the second minus that of the first."""
     if first.attribute("problem") != second.attribute("problem"):
         raise Unsuitable("the results are of different problems")
-    pairs = [(i, j) for i in first.some_steps(MOST_TIMES) for j, t in enumerate(second.times)
+    pairs = [(i, j) for i in (0, *first.some_steps(MOST_TIMES)) for j, t in enumerate(second.times)
              if numpy.isclose(first.times[i], t, rtol=1e-9)]
     if not pairs:
-        raise Unsuitable("the results share no time after the start")
+        raise Unsuitable("the results share no time")
     lines = curves.of_whole_surface(first, [i for i, _ in pairs])
     others = curves.of_whole_surface(second, [j for _, j in pairs])
     tables = [[(line.at(i), other.at(j)) for i, j in pairs] for line, other in zip(lines, others)]
@@ -51,12 +51,15 @@ def draw_two(first, second):
     groups = groups_of([peak(sum(states, ())) for states in zip(*tables)])
     figure, (*rows, below) = panels_for(lines, len(groups), name_of(first),
                                           differences=True)
-    colours = style.sequence(len(pairs))
+    after = [i for i, _ in pairs if i > 0]
+    colours = ["black"] * (len(pairs) - len(after)) + style.sequence(len(after))
     for panels, group in zip(rows, groups):
         for axes, line, other, states in zip(panels, lines, others, tables):
             for k in group:
-                profile(axes, line, states[k][0], color=colours[k])
-                profile(axes, other, states[k][1], color=colours[k], linestyle=style.DASHES)
+                # Dots of close nodes would hide the dashes.
+                profile(axes, line, states[k][0], color=colours[k], marker="")
+                profile(axes, other, states[k][1], color=colours[k], marker="",
+                        linestyle=style.DASHES)
         end_at(panels[0], [table for states in tables for k in group for table in states[k]])
     for lower, line, states in zip(below, lines, tables):
         lower.axhline(0, color=style.GREY, linewidth=0.6)
@@ -126,7 +129,7 @@ def panels_for(lines, rows, pressure_name, differences=False):
 def profile(axes, line, table, **look):
     """Over the current position, where the pressure acts, or the length along the surface."""
     columns = joined(line.breaks, table[line.axis], table["pressure"])
-    return axes.plot(*columns, marker=".", markersize=2.2, **look)[0]
+    return axes.plot(*columns, **({"marker": ".", "markersize": 2.2} | look))[0]
 
 
 def frame(axes, tables, axis):
