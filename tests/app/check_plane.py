@@ -6,6 +6,7 @@ usage: check_plane.py FOLDER_OF_THE_PLOTS
 import sys
 import types
 
+import matplotlib
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
@@ -203,6 +204,15 @@ names = shape.draw(two).axes[1].texts
 assert [name.get_text() for name in names] == ["ring", "block"]
 assert names[0].xy[0] < 15 < names[1].xy[0]
 
+# Colours mean the same at all times: where the highest stress falls to a half, the range does not.
+fading = result()
+fading.field = lambda step, name: result().field(step, name) * (0.5 if step else 1)
+drawn = mesh.draw(fading).axes
+whole = [axes.collections[0] for axes in drawn if axes.get_title().startswith("deformed")]
+assert [tuple(cells_of.get_facecolor()[-1]) for cells_of in whole] == \
+    [matplotlib.colormaps[style.STRESS_MAP](part) for part in (1.0, 0.5)]
+assert [axes.get_xlabel() for axes in drawn].count("equivalent stress [MPa]") == 1
+
 # The difference: of the same nodes, though they have moved; else between them.
 first, second = (table(1.0) for _ in range(2))
 second["x"] += 0.01
@@ -253,6 +263,7 @@ cyclic.phase_pressure = lambda step: np.stack([steady["pressure"], 0 * steady["p
 cyclic_map = cycle.draw(cyclic)
 assert not overlaps(cyclic_map) and not outside(cyclic_map)
 assert {axes.get_title() for axes in cyclic_map.axes} >= {"$t$ = 0 cycles", "$t$ = 200 cycles"}
+assert [axes.get_xlabel() for axes in cyclic_map.axes].count("pressure [MPa]") == 1
 where, values = cycle.map_of(cyclic, curves.of(cyclic)[0], 1)
 assert (np.diff(where) > 0).all() and values.shape == (2, len(where))
 assert (values[0][np.abs(where) <= 1] == 5).all() and not values[1].any()

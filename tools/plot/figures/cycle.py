@@ -2,8 +2,6 @@
 start and at up to three stored times. In space along the sliding direction at y = 0."""
 
 import numpy
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 
 from . import curves, shape, style
@@ -19,8 +17,9 @@ def draw(result):
     maps = [map_of(result, line, step) for step in steps]
     figure = style.figure(width=style.DOUBLE, height=0.8 * style.SINGLE)
     panels = figure.subplots(1, len(steps), sharex=True, sharey=True, squeeze=False)[0]
+    scale = style.colour_bar(figure, panels, max(values.max() for _, values in maps), "pressure [MPa]")
     for axes, step, (where, values) in zip(panels, steps, maps):
-        paint(figure, axes, where, borders, values)
+        paint(axes, where, borders, values, scale)
         axes.set_title("$t$ = " + result.clock.text(result.times[step]), pad=12 if named else None)
         axes.set_xlabel(name_of(result, line))
     panels[0].set_ylabel("position in the cycle")
@@ -73,18 +72,14 @@ def parts_of_surface(where):
     return numpy.concatenate([where[:1], (where[1:] + where[:-1]) / 2, where[-1:]])
 
 
-def paint(figure, axes, where, borders, values):
-    """Each with its own scale of colours; grey: no contact."""
-    highest = values.max()
-    scale = ScalarMappable(Normalize(0, highest if highest > 0 else 1), style.STRESS_MAP)
+def paint(axes, where, borders, values, scale):
+    """Grey: no contact."""
     seen = numpy.ma.masked_where(values <= 0, values)
     axes.set_facecolor(style.BAND)
     axes.pcolormesh(parts_of_surface(where), borders, numpy.ma.concatenate([seen] * 3),
                     cmap=scale.cmap, norm=scale.norm, edgecolor="face", linewidth=0.1,
                     rasterized=True)
     axes.xaxis.set_major_locator(MaxNLocator(4))
-    figure.colorbar(scale, ax=axes, orientation="horizontal", aspect=18, ticks=MaxNLocator(4),
-                    label="pressure [MPa]")
 
 
 def range_of(maps):

@@ -2,8 +2,6 @@
 contact (figs. 1, 3; in space, seen obliquely, figs. 7, 9, 12, 14)."""
 
 import numpy
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 
 from . import counter, plane, space, style
@@ -30,11 +28,11 @@ class State:
         self.worn = result.points + result.field(step, "shape")
         self.deformed = self.worn + result.field(step, "displacement")
         self.stress = result.field(step, "equivalent_stress")
-        self.scale = ScalarMappable(Normalize(0, self.stress.max()), style.STRESS_MAP)
 
-    def bar(self, figure, panels):
-        figure.colorbar(self.scale, ax=list(panels), orientation="horizontal", aspect=18,
-                        ticks=MaxNLocator(4), label="equivalent stress [MPa]")
+
+def stress_bar(figure, panels, states):
+    highest = max(state.stress.max() for state in states)
+    return style.colour_bar(figure, panels, highest, "equivalent stress [MPa]")
 
 
 def draw_plane(result):
@@ -56,16 +54,16 @@ def draw_plane(result):
     below = 0.06 / figure.get_figheight()  # tall panels would push the last label out
     figure.get_layout_engine().set(rect=(0, below, 1, 1 - below))
     panels = figure.subplots(len(heights), len(states), squeeze=False, height_ratios=heights)
+    scale = stress_bar(figure, panels, states)
     for column, state, window, shown in zip(panels.T, states, windows, small):
-        draw_column(result, column, state, whole, window if shown else None, 72 * panel)
-        state.bar(figure, column)
+        draw_column(result, column, state, scale, whole, window if shown else None, 72 * panel)
     label(result, panels, any(small))
     return figure
 
 
-def draw_column(result, column, state, whole, window, paper):
+def draw_column(result, column, state, scale, whole, window, paper):
     white = numpy.ones((len(result.cells), 4))
-    colours = state.scale.to_rgba(state.stress)
+    colours = scale.to_rgba(state.stress)
     plane.draw_body(column[0], result, state.worn, white, whole, paper)
     column[0].set_title(f"{state.time}\nundeformed")  # one line would be wider than a narrow panel
     for axes, frame, name in zip(column[1:], (whole, window), ("deformed", "contact")):
@@ -98,14 +96,14 @@ def draw_space(result):
     figure = style.figure(width=style.DOUBLE)
     panel = style.DOUBLE / len(states)
     panels = figure.subplots(2, len(states), sharex=True, sharey=True, squeeze=False)
+    scale = stress_bar(figure, panels, states)
     for column, state in zip(panels.T, states):
         corners, _, light = view.polygons(state.worn)
         add_faces(column[0], corners, shaded(numpy.ones((len(corners), 4)), light), panel)
         corners, cells, light = view.polygons(state.deformed)
-        add_faces(column[1], corners, shaded(state.scale.to_rgba(state.stress[cells]), light),
+        add_faces(column[1], corners, shaded(scale.to_rgba(state.stress[cells]), light),
                   panel)
         counter.draw_patch(column[1], result, state.step, view, state.deformed)
-        state.bar(figure, column)
         column[0].set_title(state.time)
     for axes in panels.flat:
         axes.set(xticks=[], yticks=[])

@@ -2,9 +2,11 @@
 
 import matplotlib
 import numpy
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.textpath import TextPath
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 SINGLE = 85 / 25.4  # inch: width of a column
 DOUBLE = 175 / 25.4  # and of a page
@@ -74,6 +76,15 @@ def legend(axes, handles=None, columns=3, **further):
         return None
     return axes.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0),
                        ncol=min(columns, len(handles)), **further)
+
+
+def colour_bar(figure, panels, highest, text):
+    """One range of colours from zero for all panels, so that they can be compared; returns it."""
+    scale = ScalarMappable(Normalize(0, highest if highest > 0 else 1), STRESS_MAP)
+    panels = numpy.asarray(panels)
+    figure.colorbar(scale, ax=list(panels.flat), orientation="horizontal",
+                    aspect=18 * panels.shape[-1], ticks=MaxNLocator(6), label=text)
+    return scale
 
 
 def label(axes, letter):
