@@ -93,8 +93,10 @@ def label(axes, letter):
 
 
 def number(value):
-    """A short number, exact enough for a legend."""
-    return numpy.format_float_positional(float(f"{value:.4g}"), trim="-") \
+    """A short number, exact enough for a legend: four digits, and all before the point, because
+    `gnomon contact --time` takes a zero there as exact."""
+    short = f"{value:.0f}" if abs(value) >= 1e4 else f"{value:.4g}"
+    return numpy.format_float_positional(float(short), trim="-") \
         if 1e-3 <= abs(value) < 1e6 or value == 0 else f"{value:.3g}"
 
 
