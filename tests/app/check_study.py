@@ -3,6 +3,7 @@
 usage: check_study.py FOLDER_OF_THE_PLOTS
 """
 
+import dataclasses
 import json
 import math
 import pathlib
@@ -13,7 +14,7 @@ sys.path.insert(0, sys.argv[1])
 sys.dont_write_bytecode = True
 from figures import errors, fretting_map, parameters, style, work  # noqa: E402
 from figures.complaints import Unsuitable  # noqa: E402
-from figures.study import Run  # noqa: E402
+from figures.study import Run, mark_unstable  # noqa: E402
 
 style.apply()
 
@@ -65,6 +66,22 @@ try:
     raise AssertionError("without a sweep there is nothing to compare")
 except Unsuitable:
     pass
+
+# Runs beyond the critical step, whose pressures are wrong, are crosses and have no slope: first order, not second.
+def euler(setting, shape_error, pressure_error, largest):
+    made = run("forward-euler", "forward-euler", setting, pressure_error=pressure_error)
+    return dataclasses.replace(made, setting_kind="step", shape_error=shape_error, max_pressure=largest)
+
+
+steps = [euler(6.25, 7.5e-4, 3.3e-4, 4.47), euler(12.5, 1.5e-3, 6.6e-4, 4.47), euler(25, 3e-3, 1.3e-3, 4.47)]
+unstable = [euler(50, 2.7e-2, 5.5, 10), euler(100, 1e-1, 8, 14), euler(200, 3.8e-1, 15.9, 20.3)]
+mark_unstable(steps + unstable)
+assert [made.unstable for made in steps + unstable] == [False] * 3 + [True] * 3
+(axes,) = errors.draw_steps(steps + unstable).axes
+crosses = [line for line in axes.lines if line.get_marker() == "x"]
+assert [list(line.get_xdata()) for line in crosses] == [[50, 100, 200]]
+assert list(crosses[0].get_ydata()) == [2.7e-2, 1e-1, 3.8e-1], "where they are"
+assert [text.get_text() for text in axes.texts] == ["1"]
 
 # A parameter sweep: the swept key with the unit that study.json has for it.
 rows = [{"status": "finished", "sweep": f"body.young_modulus={value}", "method": "bdf", "setting_kind": "rtol",

@@ -123,18 +123,20 @@ def has_band(runs, limits):
 
 
 def draw_series(axes, runs, look, limits, across):
-    """A cross at the upper edge for errors beyond the limits and for runs without an error."""
+    """A cross for unstable runs, and at the upper edge for errors beyond the limits and for runs
+    without an error."""
     edge = limits[1] / 1.5
     x = numpy.array([getattr(run, across) for run in runs])
     errors = numpy.array([run.shape_error for run in runs])
     lost = ~(errors < edge)
-    marked = numpy.array([run.marked for run in runs], bool) & ~lost
+    crossed = lost | numpy.array([run.unstable for run in runs], bool)
+    marked = numpy.array([run.marked for run in runs], bool) & ~crossed
     y = numpy.where(lost, edge, errors)
     axes.plot(x, y, **(look | {"marker": ""}))
     axes.plot(x, [run.shape_error_self for run in runs], **(look | SELF))
     hollow = {"markerfacecolor": "white", "markeredgewidth": 0.7}
     cross = {"marker": "x", "markersize": 5}
-    for chosen, sign in ((~lost & ~marked, {}), (marked, hollow), (lost, cross)):
+    for chosen, sign in ((~crossed & ~marked, {}), (marked, hollow), (crossed, cross)):
         if chosen.any():
             axes.plot(x[chosen], y[chosen], **(look | {"linestyle": ""} | sign))
 
@@ -142,8 +144,8 @@ def draw_series(axes, runs, look, limits, across):
 def draw_guides(axes, runs, key):
     """Lines of slope 1 and of the highest observed order, each below its lowest series; returns
     false if no series is long enough to have a slope."""
-    series = [[run for run in runs if key(run) == name and run.finished and run.shape_error > 0]
-              for name in distinct(key(run) for run in runs)]
+    series = [[run for run in runs if key(run) == name and run.finished and run.shape_error > 0
+               and not run.unstable] for name in distinct(key(run) for run in runs)]
     series = {order: [runs for runs in series if order_of(runs) == order]
               for order in {order_of(runs) for runs in series} - {0}}
     every = [run for group in series.values() for runs in group for run in runs]
@@ -177,9 +179,9 @@ def order_of(runs):
 def notes_of(runs, limits, guides):
     """The meaning of the signs that occur."""
     notes = []
-    if any(not run.shape_error < limits[1] / 1.5 for run in runs):
+    if any(run.unstable or not run.shape_error < limits[1] / 1.5 for run in runs):
         notes.append(Line2D([], [], color="black", linestyle="", marker="x", markersize=5,
-                            label="beyond, or failed"))
+                            label="unstable, beyond, or failed"))
     if has_band(runs, limits):
         notes.append(reference_note())
     if any(run.marked for run in runs):
