@@ -126,7 +126,7 @@ private:
   std::vector<std::size_t> worth_another_job() const {
     std::vector<std::size_t> worth;
     for (const std::size_t run : missing_)
-      if (histories_.at(run).fruitless <= most_fruitless) worth.push_back(run);
+      if (histories_.at(run).fruitless < most_fruitless) worth.push_back(run);
     return worth;
   }
 

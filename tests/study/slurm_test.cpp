@@ -92,6 +92,7 @@ TEST_F(BySlurm, RunsThatNeverBeganAreMissingAndHaveNotFailed) {
   const Outcome outcome = gnomon(arguments({"--slurm-option=--partition=closed"}));
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err, "gnomon: 12 runs of 12 missing; gnomon study run out 1-12 does them\n");
+  EXPECT_THAT(calls(), SizeIs(3)) << "three jobs in turn that bring a run no further";
 }
 
 TEST_F(BySlurm, ARefusalOfSbatchIsToldInItsWords) {
