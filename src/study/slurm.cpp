@@ -8,6 +8,7 @@
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/study/study.hpp>
 #include <map>
+#include <sstream>
 
 #include "study/process_pool.hpp"
 #include "study/run_claim.hpp"
@@ -37,6 +38,24 @@ std::string shell_word(const std::string& text) {
 
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
+}
+
+/// The number in the last line "JOB" or "JOB;CLUSTER" that sbatch has printed: a site's own sbatch
+/// may print further ones. Throws Error without any.
+std::string job_in(const std::string& output) {
+  std::string job;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string number = line.substr(0, line.find(';'));
+    if (!number.empty() && number.find_first_not_of("0123456789") == std::string::npos)
+      job = number;
+  }
+  if (job.empty())
+    throw Error(
+        fmt::format("sbatch --parsable has printed no number of a job, but `{}`; its job, if "
+                    "there is one, is not waited for",
+                    first_line(output)));
+  return job;
 }
 
 Captured run_slurm(const std::vector<std::string>& command) {
@@ -157,8 +176,7 @@ private:
     const Captured answer = run_slurm(command);
     if (answer.exit_code != 0)
       throw Error(fmt::format("sbatch refuses the study: {}", first_line(answer.err)));
-    const std::string line = first_line(answer.out);  // "JOB" or "JOB;CLUSTER"
-    jobs_.push_back(line.substr(0, line.find(';')));
+    jobs_.push_back(job_in(answer.out));
     write_file(own_ / "jobs", fmt::format("{}\n", fmt::join(jobs_, "\n")), Earlier::replaced);
   }
 

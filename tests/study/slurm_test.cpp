@@ -103,5 +103,15 @@ TEST_F(BySlurm, ARefusalOfSbatchIsToldInItsWords) {
   EXPECT_THAT(calls(), IsEmpty());
 }
 
+TEST_F(BySlurm, AJobWhoseNumberIsUnknownIsNotSubmittedAgain) {
+  const Outcome outcome = gnomon(arguments({"--slurm-option=--partition=mute"}));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(
+      outcome.err,
+      "gnomon: sbatch --parsable has printed no number of a job, but `Submitted batch job 1`; "
+      "its job, if there is one, is not waited for\n");
+  EXPECT_THAT(calls(), SizeIs(1));
+}
+
 }  // namespace
 }  // namespace gnomon::slurm_test
