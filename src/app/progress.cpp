@@ -127,10 +127,18 @@ void Progress::show(const HistoryRow& row) {
   shown_t_ = row.t;
 }
 
+void LiveLine::warn(const std::string& text) const {
+  if (mode() == Mode::none) return;
+  clear();
+  print("gnomon: warning: " + text);
+}
+
 void Progress::warn(const std::string& text) const {
-  if (line_.mode() == LiveLine::Mode::none) return;
-  line_.clear();
-  LiveLine::print("gnomon: warning: " + text);
+  line_.warn(text);
+}
+
+void StudyProgressBar::warn(const std::string& text) const {
+  line_.warn(text);
 }
 
 void StudyProgressBar::show(const StudyProgress& progress) const {
@@ -143,6 +151,7 @@ void StudyProgressBar::show(const StudyProgress& progress) const {
 
 StudyHooks StudyProgressBar::hooks() const {
   return {.on_progress = [this](const StudyProgress& progress) { show(progress); },
+          .on_warning = [this](const std::string& text) { warn(text); },
           .interrupted = InterruptGuard::interrupted};
 }
 

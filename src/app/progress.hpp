@@ -39,6 +39,8 @@ public:
   void clear() const { show(""); }
   /// Prints a line that is not overwritten.
   static void print(const std::string& line);
+  /// Nothing when quiet.
+  void warn(const std::string& text) const;
 
 private:
   Mode mode_;
@@ -76,6 +78,7 @@ class StudyProgressBar {
 public:
   explicit StudyProgressBar(bool quiet) : line_("", quiet) {}
   void show(const StudyProgress& progress) const;
+  void warn(const std::string& text) const;
   /// Shows the progress of one study, until it ends or the user ends it.
   StudyHooks hooks() const;
 

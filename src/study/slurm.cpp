@@ -87,7 +87,12 @@ public:
       judge_progress();
       const std::vector<std::size_t> worth = worth_another_job();
       if (worth.empty()) break;
+      if (submitted_)
+        hooks_.on_warning(fmt::format(
+            "{} runs are not done and have no job in the queue; they are submitted again",
+            worth.size()));
       submit(worth);
+      submitted_ = true;
     }
     return progress_;
   }
@@ -115,10 +120,15 @@ private:
 
   /// Whether a job is waiting or runs. Forgets those that Slurm does not know any more.
   bool look_at_jobs() {
-    std::erase_if(jobs_, [](const std::string& job) {
+    std::erase_if(jobs_, [this](const std::string& job) {
       const Captured seen = run_slurm({"squeue", "--noheader", "--format=%i", "--jobs=" + job});
       if (seen.exit_code == 0) return seen.out.find(job) == std::string::npos;
-      return seen.err.find("Invalid job id") != std::string::npos;  // else Slurm does not answer
+      if (seen.err.find("Invalid job id") != std::string::npos) return true;
+      const std::string reason = first_line(seen.err);  // Slurm does not answer
+      if (reason != last_refusal_)
+        hooks_.on_warning(fmt::format("squeue has failed and is asked again: {}", reason));
+      last_refusal_ = reason;
+      return false;
     });
     return !jobs_.empty();
   }
@@ -209,6 +219,8 @@ private:
   std::vector<std::size_t> missing_;
   std::vector<std::string> jobs_;
   std::map<std::size_t, History> histories_;
+  std::string last_refusal_;  // of squeue
+  bool submitted_ = false;
 };
 
 }  // namespace

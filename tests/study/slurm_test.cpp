@@ -103,6 +103,22 @@ TEST_F(BySlurm, ARefusalOfSbatchIsToldInItsWords) {
   EXPECT_THAT(calls(), IsEmpty());
 }
 
+TEST_F(BySlurm, AFailingQueryIsToldAndRepeatedAndSubmitsNothing) {
+  write("slurm/deaf", "1\n2\n3\n");
+  std::vector<std::string> words = arguments();
+  std::erase(words, "--quiet");
+  const Outcome outcome = gnomon(words);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string warning =
+      "gnomon: warning: squeue has failed and is asked again: slurm_load_jobs error: Unable to "
+      "contact slurm controller\n";
+  EXPECT_THAT(outcome.err, HasSubstr(warning));
+  EXPECT_EQ(outcome.err.find(warning), outcome.err.rfind(warning)) << "once";
+  EXPECT_THAT(outcome.err, HasSubstr("gnomon: warning: 4 runs are not done and have no job in the "
+                                     "queue; they are submitted again\n"));
+  EXPECT_THAT(calls(), SizeIs(2));
+}
+
 TEST_F(BySlurm, AJobWhoseNumberIsUnknownIsNotSubmittedAgain) {
   const Outcome outcome = gnomon(arguments({"--slurm-option=--partition=mute"}));
   EXPECT_EQ(outcome.exit_code, 1);

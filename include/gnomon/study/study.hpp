@@ -111,6 +111,8 @@ struct StudyProgress {
 
 struct StudyHooks {
   std::function<void(const StudyProgress&)> on_progress = [](const StudyProgress&) {};
+  /// What the user should know, but what does not end the study.
+  std::function<void(const std::string&)> on_warning = [](const std::string&) {};
   /// Called repeatedly; true stops the running processes and ends the study.
   std::function<bool()> interrupted = [] { return false; };
 };
