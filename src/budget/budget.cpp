@@ -80,11 +80,11 @@ private:
   }
 
   void add_other(const Key& key) {
-    // Steps that follow nodes as they close depend on the mesh, and so do phases in which the last
-    // node closes.
+    // Steps that follow nodes as they close depend on the mesh, and so do phases: in which the last
+    // node closes, and which nodes wear deepest.
     const ErrorSource source = key.controls->source;
-    const bool on_own_mesh = !coarse_ || half_of_phases(key, run_.scene) ||
-                             (must_be_sure_ && source == ErrorSource::time);
+    const bool on_own_mesh =
+        !coarse_ || source == ErrorSource::phases || (must_be_sure_ && source == ErrorSource::time);
     const Trial& base = on_own_mesh ? run_ : *coarse_;
     if (!key.controls->scaled(base.scene, Finer(source).factor)) return;
     companions_.add(key, [&](BudgetPart& part) {
