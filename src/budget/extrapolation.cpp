@@ -104,6 +104,15 @@ void respect_area(const Goals& goals, std::vector<double>& errors) {
   }
 }
 
+void respect_profile(const std::vector<Scalar>& values, std::vector<double>& errors) {
+  const auto depth = std::ranges::find(values, "wear_depth", &Scalar::name),
+             profile = std::ranges::find(values, "profile", &Scalar::name);
+  if (depth == values.end() || profile == values.end()) return;
+  double& error = errors[static_cast<std::size_t>(depth - values.begin())];
+  const double least = errors[static_cast<std::size_t>(profile - values.begin())];
+  if (std::abs(error) < least) error = least;
+}
+
 Extrapolated extrapolated(double fine, double coarse) {
   constexpr double least = 0.5;
   const double observed = log_of_fall(fine, coarse);

@@ -30,6 +30,11 @@ std::vector<double> errors_of_coarser(const Goals& coarse, const Goals& fine);
 /// that of the pressure inside, which differences() leave out, they are added.
 void respect_area(const Goals& goals, std::vector<double>& errors);
 
+/// Which node wears deepest depends on the mesh and, where few phases are at one, on its place: the
+/// error of the phases that a coarse mesh shows of the depth may be small by chance, and is at
+/// least that of the whole profile.
+void respect_profile(const std::vector<Scalar>& values, std::vector<double>& errors);
+
 /// The error of the finer of two runs, and the order with which it falls.
 struct Extrapolated {
   double error, order;

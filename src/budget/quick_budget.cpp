@@ -116,6 +116,7 @@ private:
       if (!coarse_) coarse_ = cheap(own_, "the same mesh");
       const Trial& base = part.source == ErrorSource::model ? with_own_models() : *coarse_;
       companions_.compare(part, base, key);
+      if (part.source == ErrorSource::phases) respect_profile(budget_.values, part.errors);
     });
   }
 

@@ -81,5 +81,18 @@ TEST(Extrapolation, OfAnAreaIsAtLeastWhatItsLastNodesLeaveOpen) {
   EXPECT_TRUE(std::isnan(errors[0]));
 }
 
+/// The cam and follower of 12 phases on elements of twice the size; on its own the depth changes by
+/// 10 %.
+TEST(Extrapolation, OfPhasesIsInTheDepthAtLeastThatOfTheProfile) {
+  const std::vector<Scalar> values = {
+      {"worn_volume", "mm^2", 1}, {"wear_depth", "mm", 1}, {"profile", "mm", 1}};
+  std::vector<double> errors = {0.0013, 0.0027, 0.14};
+  respect_profile(values, errors);
+  EXPECT_EQ(errors, (std::vector<double>{0.0013, 0.14, 0.14}));
+  errors = {0.0013, 0.2, not_known};
+  respect_profile(values, errors);
+  EXPECT_EQ(errors[1], 0.2);
+}
+
 }  // namespace
 }  // namespace gnomon::budget
