@@ -29,14 +29,18 @@ def block():
     return np.stack([x, y, z], axis=1), np.stack(corner, axis=1), number[:, :, -1].ravel()
 
 
-def result(points, cells, top, field=None):
-    """As much of a result as the functions want; the pressure is linear."""
+def result(points, cells, top, field=None, bodies=None):
+    """As much of a result as the functions want; the pressure is linear. `bodies`: by node, of
+    two that meet, where the second has other pressures."""
     x, y, z = points[top].T
     columns = {"node": top, "x": x, "y": y, "z": z, "pressure": 2 * x + 3 * y + 1}
+    if bodies is not None:
+        columns["pressure"] = np.where(bodies[top] == 0, columns["pressure"], 1e3)
     table = np.rec.fromarrays(list(columns.values()), names=list(columns))
     zero = np.zeros_like(points)
     return types.SimpleNamespace(points=points, cells=cells, dim=3, times=np.zeros(1),
-                                 contact=lambda _: table,
+                                 contact=lambda _: table, has_pairs=bodies is not None,
+                                 bodies=bodies, names_of_bodies={0: "block", len(points) // 2: "lid"},
                                  field=lambda _, name: (field or {}).get(name, zero))
 
 
@@ -82,3 +86,14 @@ for shift in (0.0, 0.07):  # the plane x = 0 through nodes, and between them
         assert (np.diff(line[curve.axis]) > 0).all()
         assert np.allclose(line["pressure"], 2 * line["x"] + 3 * line["y"] + 1), "linear is exact"
         assert np.ptp(line[curve.axis]) > 0.99 * (2 if curve.axis == "x" else 1)
+
+# Of two bodies that meet, one surface is cut and mapped.
+second = len(points)
+pair = result(np.concatenate([points, points * [1, 1, -1]]),
+              np.concatenate([cells, second + cells[:, [4, 5, 6, 7, 0, 1, 2, 3]]]),
+              np.concatenate([top, second + top]), bodies=np.repeat([0, second], second))
+assert (space.contact_faces(pair) == on_top).all()
+assert (space.contact_faces(pair, second) == len(top) + space.contact_faces(flipped)).all()
+for curve, single in zip(curves.of(pair), curves.of(body)):
+    assert np.allclose(curve.at(0)["pressure"], single.at(0)["pressure"])
+    assert curve.where.endswith(", on block"), curve.where

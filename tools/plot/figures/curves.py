@@ -43,8 +43,10 @@ def of(result):
                       lambda table: in_order(of_one_body(result, table), axis),
                       result.axes["xy".index(axis)])]
     edges = edges_of(space.contact_faces(result))
-    return [Curve(result, "x", "at $y$ = 0", lambda table: cut(table, edges, "y", "x")),
-            Curve(result, "y", "at $x$ = 0", lambda table: cut(table, edges, "x", "y"))]
+    name = name_of_body(result, result.contact(0))
+    return [Curve(result, axis, ", ".join(filter(None, [f"at ${across}$ = 0", name])),
+                  lambda table, axis=axis, across=across: cut(table, edges, across, axis))
+            for axis, across in ("xy", "yx")]
 
 
 def of_whole_surface(result, steps):
@@ -120,7 +122,8 @@ def cut(table, edges, across, axis):
     the nodes of its edges that pass through it."""
     distance = table[across].copy()
     distance[numpy.abs(distance) <= 1e-9 * numpy.ptp(distance)] = 0
-    within = numpy.flatnonzero(distance == 0)
+    of_faces = numpy.unique(edges)
+    within = of_faces[distance[of_faces] == 0]
     first, second = edges[distance[edges].prod(axis=1) < 0].T
     first, second = numpy.append(within, first), numpy.append(within, second)
     if not len(first):

@@ -19,13 +19,17 @@ def boundary_faces(cells):
     return faces[outer], outer % len(cells)
 
 
-def contact_faces(result):
-    """Boundary faces that lie in the contact surface, by rows of the contact table."""
+def contact_faces(result, body=None):
+    """Boundary faces that lie in the contact surface, by rows of the contact table; of two bodies
+    that meet those of one of them, the first if none is given."""
     nodes = result.contact(0)["node"]
     row = numpy.full(len(result.points), -1)
     row[nodes] = numpy.arange(len(nodes))
     every, _ = boundary_faces(result.cells)
     faces = row[every][(row[every] >= 0).all(axis=1)]
+    if result.has_pairs:
+        of_row = result.bodies[nodes]
+        faces = faces[of_row[faces[:, 0]] == (of_row[0] if body is None else body)]
     if not len(faces):
         raise Unsuitable("the contact surface holds no face of the mesh")
     return faces

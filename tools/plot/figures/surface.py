@@ -9,7 +9,7 @@ from matplotlib.colors import Normalize
 from matplotlib.ticker import MaxNLocator
 from matplotlib.tri import Triangulation
 
-from . import space, style
+from . import curves, space, style
 from .complaints import Unsuitable
 
 NAMES = "xyz"
@@ -22,11 +22,13 @@ def draw_pressure(result):
 
 
 def draw_depth(result):
-    """Over the initial places, which the wear depth belongs to."""
+    """Over the initial places, which the wear depth belongs to; of the body that is worn deepest."""
     steps = steps_of(result)
-    if not steps or not result.contact(steps[-1])["wear_depth"].max() > 0:
+    depth = result.contact(steps[-1])["wear_depth"] if steps else numpy.zeros(1)
+    if not depth.max() > 0:
         raise Unsuitable("nothing is worn")
-    return draw(result, steps, "wear_depth", "wear depth [mm]", of_place="0")
+    return draw(result, steps, "wear_depth", "wear depth [mm]", of_place="0",
+                deepest=depth.argmax())
 
 
 def steps_of(result):
@@ -35,13 +37,17 @@ def steps_of(result):
     return result.some_steps(3)
 
 
-def draw(result, steps, column, label, of_place=""):
-    """`of_place`: the ending of the columns of places."""
-    faces = space.contact_faces(result)
-    across = seen_axes(result, faces)
+def draw(result, steps, column, label, of_place="", deepest=0):
+    """`of_place`: the ending of the columns of places; `deepest`: a row of the body that is seen."""
+    first = result.contact(0)
+    body = result.bodies[first["node"][deepest]] if result.has_pairs else None
+    rows, faces = numpy.unique(space.contact_faces(result, body), return_inverse=True)
+    faces = faces.reshape(-1, 4)
+    across = seen_axes(first[rows], faces)
+    label = f"{label} {curves.name_of_body(result, first[rows])}".rstrip()
     places = [NAMES[axis].upper() + of_place if of_place else NAMES[axis] for axis in across]
     mirrored = 1 in across and space.is_half(result)
-    maps = [map_of(result.contact(step), faces, places, column, mirrored) for step in steps]
+    maps = [map_of(result.contact(step)[rows], faces, places, column, mirrored) for step in steps]
     figure = style.figure(width=style.DOUBLE)
     panels = figure.subplots(1, len(steps), sharex=True, sharey=True, squeeze=False)[0]
     for axes, step, (points, quads, values) in zip(panels, steps, maps):
@@ -57,9 +63,8 @@ def draw(result, steps, column, label, of_place=""):
     return figure
 
 
-def seen_axes(result, faces):
+def seen_axes(table, faces):
     """The two coordinates that are visible when looking along the mean normal."""
-    table = result.contact(0)
     points = numpy.stack([table["X0"], table["Y0"], table["Z0"]], axis=1)
     normal = space.normals(points[faces]).sum(axis=0)
     return [axis for axis in range(3) if axis != numpy.abs(normal).argmax()]
