@@ -90,7 +90,7 @@ void check_outputs(const RunOptions& options) {
   check_writable(options.result);
   if (printed) return;
   check_writable(summary);
-  if (!is_stream(summary) && !is_summary_of_failed_start(summary))  // nothing to lose
+  if (!is_stream(summary) && !is_summary_without_start(summary))  // nothing to lose
     check_earlier(summary, {"--summary", "a summary", is_summary}, options.force);
 }
 
@@ -103,7 +103,7 @@ void write_summary(const RunOptions& options, const std::string& text, bool star
     std::ofstream stream(file, std::ios::binary);
     stream << text << std::flush;
     if (!stream) throw Error(fmt::format("cannot write {}", file.string()));
-  } else if (const bool worthless = is_summary_of_failed_start(file);
+  } else if (const bool worthless = is_summary_without_start(file);
              started || worthless || !is_taken(file)) {
     // A link is followed, so that it stays one.
     write_file(is_taken(file) ? fs::canonical(file) : file, text,

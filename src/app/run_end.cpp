@@ -56,11 +56,12 @@ void print_summary(const RunOutcome& outcome, const std::string& result, bool ha
                has_mesh ? fmt::format(" (for ParaView: {})", sidecar_of(result).string()) : "");
 }
 
-std::string failure_message(const RunOutcome& outcome, const std::string& file, bool kept) {
-  if (kept) return fmt::format("{} (the earlier {} is kept)", outcome.diagnosis, file);
-  if (!outcome.last) return fmt::format("{} ({} is not written)", outcome.diagnosis, file);
-  return fmt::format("{} (everything up to t = {:g} s is in {})", outcome.diagnosis,
-                     outcome.last->t, file);
+/// `reason` of the end, and where the result is.
+std::string end_message(const std::string& reason, const RunOutcome& outcome,
+                        const std::string& file, bool kept) {
+  if (kept) return fmt::format("{} (the earlier {} is kept)", reason, file);
+  if (!outcome.last) return fmt::format("{} ({} is not written)", reason, file);
+  return fmt::format("{} (everything up to t = {:g} s is in {})", reason, outcome.last->t, file);
 }
 
 }  // namespace
@@ -114,7 +115,8 @@ RunOutcome integrate(const Setup& setup, const IntegratorSettings& settings, Res
 int report_end(const RunOutcome& outcome, const RunOptions& options, bool has_mesh, bool kept) {
   const std::string result = options.result.string();
   if (outcome.status == RunOutcome::Status::failed)
-    throw SolutionError(failure_message(outcome, result, kept));
+    throw SolutionError(end_message(outcome.diagnosis, outcome, result, kept));
+  if (!outcome.last) throw Error(end_message("interrupted in the start", outcome, result, kept));
   if (!options.quiet && options.summary != "-") print_summary(outcome, result, has_mesh, kept);
   return outcome.status == RunOutcome::Status::finished ? success : other_failure;
 }

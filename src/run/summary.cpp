@@ -73,10 +73,9 @@ bool is_summary(const std::filesystem::path& file) {
   return read_summary(file).has_value();
 }
 
-bool is_summary_of_failed_start(const std::filesystem::path& file) {
+bool is_summary_without_start(const std::filesystem::path& file) {
   const auto json = read_summary(file);
-  return json && json->value("status", "") == "failed" && json->contains("t") &&
-         json->at("t").is_null();
+  return json && json->contains("t") && json->at("t").is_null();
 }
 
 std::string summary_json(const Scene& scene, const RunHeader& header,

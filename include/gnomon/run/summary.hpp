@@ -29,6 +29,6 @@ std::string phase_error_text(const std::vector<PhaseError>& errors);
 /// Whether the file contains a summary.
 bool is_summary(const std::filesystem::path& file);
 /// Whether it is that of a run that has no state, not even the start.
-bool is_summary_of_failed_start(const std::filesystem::path& file);
+bool is_summary_without_start(const std::filesystem::path& file);
 
 }  // namespace gnomon
