@@ -88,7 +88,7 @@ bool is_rubbed(const Assembly<dim>& assembly, const std::vector<PlaceAndForce<di
   const double arm = contact_width<dim>(assembly.scales),
                friction = assembly.interface.friction * assembly.copies * assembly.scales.force;
   return std::ranges::any_of(loop, [&](const PlaceAndForce<dim>& at) {
-    const Vector<dim> change = tangential<dim>(assembly, at.contact - loop.front().contact);
+    const Vector<dim> change = at.friction - loop.front().friction;
     return change.norm() > little * friction ||
            std::abs(at.moment - loop.front().moment) > little * friction * arm;
   });

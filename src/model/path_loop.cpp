@@ -67,22 +67,26 @@ Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
   return kept;
 }
 
-/// The approach, or what is across a contact that is inclined to it, unit.
+/// The approach, or what is across a contact that is clearly inclined to it, unit. The mean normal
+/// of nodes on a round partner is off the approach by as much as contact is not symmetric.
 template <int dim>
 Vector<dim> across_contact(const Assembly<dim>& assembly, const std::vector<char>& counts,
                            const std::vector<PhaseContact<dim>>& phases) {
-  constexpr double along = 0.966;  // cosine of 15 degrees
+  constexpr double along = 0.966, away = 0.7;  // cosine of 15 degrees; else contact is all around
   const Vector<dim>& approach = assembly.pairs.empty() ? assembly.interface.partner.approach
                                                        : assembly.pairs.front().approach;
   Vector<dim> sum = Vector<dim>::Zero();
+  double area = 0;
   for (std::size_t c = 0; c < counts.size(); ++c) {
     const auto touches = [&](const PhaseContact<dim>& phase) { return phase.nodes[c].active; };
     const ContactPatch<dim>& patch = assembly.contact_nodes[c];
-    if (counts[c] && std::ranges::any_of(phases, touches))
-      sum += patch.initial_area * patch.initial_normal;
+    if (!counts[c] || !std::ranges::any_of(phases, touches)) continue;
+    sum += patch.initial_area * patch.initial_normal;
+    area += patch.initial_area;
   }
   for (int i = 0; i < dim; ++i) sum[i] = sum_over_processes(sum[i]);
-  const bool inclined = std::abs(sum.dot(approach)) < along * sum.norm();
+  const bool inclined = sum.norm() > away * sum_over_processes(area) &&
+                        std::abs(sum.dot(approach)) < along * sum.norm();
   return inclined ? Vector<dim>(sum.normalized()) : approach;
 }
 
