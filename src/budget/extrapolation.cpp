@@ -147,11 +147,14 @@ void extrapolate(BudgetPart& part, const std::vector<Scalar>& values,
         fmt::join(growing, ", "));
 }
 
-void respect_run(const std::vector<double>& by_run, double finer, std::vector<double>& errors) {
+void respect_run(const std::vector<double>& fine, const std::vector<double>& coarse, double times,
+                 std::vector<double>& errors) {
   constexpr double safe = 3;
-  for (std::size_t i = 0; finer > 1 && i < errors.size(); ++i)
-    if (const double most = safe * std::abs(by_run[i]) / (finer - 1); most < std::abs(errors[i]))
-      errors[i] = most;
+  for (std::size_t i = 0; times > 1 && i < errors.size(); ++i) {
+    const double most =
+        safe * std::max(std::abs(fine[i]) / (times - 1), std::abs(coarse[i]) / (2 * times - 1));
+    if (!std::isnan(fine[i] + coarse[i]) && most < std::abs(errors[i])) errors[i] = most;
+  }
 }
 
 }  // namespace gnomon::budget

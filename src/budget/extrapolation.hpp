@@ -64,8 +64,11 @@ void extrapolate(BudgetPart& part, const std::vector<Scalar>& values,
                  double finer = 1);
 
 /// Errors from meshes too coarse to tell them may be far too large. An error of order one or more
-/// is at most the difference of the run to elements `finer` times as large, divided by finer - 1:
-/// more than three times that is taken off. `by_run`: differences() to such a run.
-void respect_run(const std::vector<double>& by_run, double finer, std::vector<double>& errors);
+/// is at most the difference of the run to elements `times` as large, divided by times - 1: more
+/// than three times that is taken off. `fine`, `coarse`: differences() to such a run, and to one of
+/// elements twice as large again; the larger bound counts, since one difference may be small by
+/// chance.
+void respect_run(const std::vector<double>& fine, const std::vector<double>& coarse, double times,
+                 std::vector<double>& errors);
 
 }  // namespace gnomon::budget

@@ -81,7 +81,8 @@ private:
     require_refined_contact(coarse_->goals, fine.goals);
     extrapolate(part, budget_.values, mesh_differences(coarse_->goals, fine.goals),
                 coarser_differences(key, 2 * factor), factor / 2);
-    respect_run(mesh_differences(fine.goals, goals_), factor / 2, part.errors);
+    respect_run(mesh_differences(fine.goals, goals_), mesh_differences(coarse_->goals, goals_),
+                factor / 2, part.errors);
   }
 
   /// From elements of half the size.

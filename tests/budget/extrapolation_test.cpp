@@ -55,14 +55,18 @@ TEST(Extrapolation, NamesTheValuesWhoseErrorIsNotKnown) {
 /// The run changes by 2 % to elements four times as large: its error is not 240 %.
 TEST(Extrapolation, OfCoarseMeshesIsNotFarMoreThanTheRunAllows) {
   std::vector<double> errors = {2.4, 0.01, not_known, 0.5};
-  const std::vector<double> by_run = {-0.02, 0.02, 0.02, not_known};
-  respect_run(by_run, 1, errors);  // of the same elements nothing is known
+  const std::vector<double> fine = {-0.02, 0.02, 0.02, not_known},
+                            coarse = {0.02, 0.02, 0.02, 0.02};
+  respect_run(fine, coarse, 1, errors);  // of the same elements nothing is known
   EXPECT_EQ(errors[0], 2.4);
-  respect_run(by_run, 4, errors);
+  respect_run(fine, coarse, 4, errors);
   EXPECT_NEAR(errors[0], 0.02, 1e-15);
   EXPECT_EQ(errors[1], 0.01);
   EXPECT_TRUE(std::isnan(errors[2]));
   EXPECT_EQ(errors[3], 0.5);
+  errors = {0.5};  // one of the differences is small by chance
+  respect_run({0}, {0.07}, 4, errors);
+  EXPECT_NEAR(errors[0], 0.03, 1e-15);
 }
 
 TEST(Extrapolation, OfAnAreaIsAtLeastWhatItsLastNodesLeaveOpen) {
