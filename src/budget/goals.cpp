@@ -160,11 +160,12 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   const auto half_width = value_of(observed, "contact_half_width");
   const bool in_plane = half_width && !(area && area->unit == "mm^2");
   add(in_plane ? "contact_half_width" : "contact_area");
-  const bool by_ends = in_plane && is_one_line(goals, neighbours);
-  const double size = by_ends ? 2 * *half_width : area ? area->value : 0;
-  if (const auto bound = value_of(observed, "contact_area_error"); bound && !by_ends && size > 0)
+  goals.by_ends = in_plane && is_one_line(goals, neighbours);
+  const double size = goals.by_ends ? 2 * *half_width : area ? area->value : 0;
+  if (const auto bound = value_of(observed, "contact_area_error");
+      bound && !goals.by_ends && size > 0)
     goals.area = (goals.surface.dim == 2 ? 0.5 : 0.25) * *bound / size;
-  if (by_ends) add_edge_pressure(size, observed, goals);
+  if (goals.by_ends) add_edge_pressure(size, observed, goals);
   if (const auto force = value_of(observed, "contact_force")) {
     goals.values.push_back({"mean_pressure", "MPa", size > 0 ? *force / size : 0});
     goals.values.push_back(
@@ -188,8 +189,10 @@ std::vector<double> differences(const Goals& goals, const Goals& other) {
   const FieldDifferences fields = field_differences(goals, other);
   std::vector<double> result;
   for (const Scalar& scalar : goals.values) {
+    const bool unlike = scalar.name == "mean_pressure" && goals.by_ends != other.by_ends;
     const double difference =
-        scalar.name == "profile" ? fields.profile
+        unlike                     ? not_known
+        : scalar.name == "profile" ? fields.profile
         : scalar.name == "inner_pressure"
             ? fields.inner_pressure
             : scalar.value - value_of(other.values, scalar.name).value_or(not_known);

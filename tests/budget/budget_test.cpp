@@ -212,20 +212,6 @@ TEST(Budget, SaysThatASumLacksAPart) {
 }
 
 // The fields of another mesh are interpolated; what is linear along the surface exactly.
-/// In a bore: the force of each node, whatever way it points, over the length that carries it.
-TEST(Budget, OfABoreHasTheMeanPressureAlongIt) {
-  const auto model = make_model(checked_scene(shipped("worn_body/bore.toml"), {}));
-  Counters counters;
-  const State start = model->start(counters);
-  const Observation observed = model->observe(start);
-  const auto of = [&](const Observation& values, const char* name) {
-    return std::ranges::find(values, name, &Scalar::name)->value;
-  };
-  const double mean = of(goals_of(*model, start, observed)->values, "mean_pressure");
-  EXPECT_NEAR(mean, of(observed, "contact_force") / of(observed, "contact_area"), 1e-12 * mean);
-  EXPECT_LT(mean, 0.9 * of(observed, "max_pressure"));
-}
-
 TEST(Budget, ComparesProfilesOfDifferentMeshes) {
   const auto line = [](int elements, double slope) {
     Goals goals{.values = {{"profile", "mm", 1}}, .surface = {}};

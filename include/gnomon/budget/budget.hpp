@@ -28,6 +28,8 @@ struct Goals {
   /// over the distance of the ends of contact, in the place of the whole shares of the last closed
   /// nodes; and what these leave open of inner_pressure, as a part of it.
   double pressure_by_ends = 1, pressure_open = 0;
+  /// Whether mean_pressure is over the distance of the ends of contact.
+  bool by_ends = false;
   /// What of max_pressure a last closed node has more than all inside of the contact, as a part.
   double peak_at_edge = 0;
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies

@@ -1,0 +1,37 @@
+// What a run is made for, by closed forms and definitions.
+#include <algorithm>
+#include <gnomon/budget/budget.hpp>
+#include <gnomon/run/setup.hpp>
+
+#include "support/problem_run.hpp"
+
+namespace gnomon::goals_test {
+namespace {
+
+using namespace testing;
+
+/// In a bore: the force of each node, whatever way it points, over the length that carries it.
+TEST(Goals, OfABoreHaveTheMeanPressureAlongIt) {
+  const auto model =
+      make_model(checked_scene(GNOMON_SOURCE_DIR "/problems/worn_body/bore.toml", {}));
+  Counters counters;
+  const State start = model->start(counters);
+  const Observation observed = model->observe(start);
+  const auto of = [&](const Observation& values, const char* name) {
+    return std::ranges::find(values, name, &Scalar::name)->value;
+  };
+  const double mean = of(goals_of(*model, start, observed)->values, "mean_pressure");
+  EXPECT_NEAR(mean, of(observed, "contact_force") / of(observed, "contact_area"), 1e-12 * mean);
+  EXPECT_LT(mean, 0.9 * of(observed, "max_pressure"));
+}
+
+/// A mean over the ends and one over the area are not compared.
+TEST(Goals, OfUnlikeMeansHaveNoDifference) {
+  Goals one{.values = {{"mean_pressure", "MPa", 1}}, .surface = {}}, other = one;
+  EXPECT_EQ(differences(one, other)[0], 0);
+  other.by_ends = true;
+  EXPECT_TRUE(std::isnan(differences(one, other)[0]));
+}
+
+}  // namespace
+}  // namespace gnomon::goals_test
