@@ -12,7 +12,8 @@ namespace {
 bool finite(const WearRate& rate) {
   return std::isfinite(rate.value) && std::isfinite(rate.by_pressure) &&
          std::isfinite(rate.by_speed) && std::isfinite(rate.by_depth) &&
-         std::isfinite(rate.by_friction_power) && std::isfinite(rate.by_mean_friction_power);
+         std::isfinite(rate.by_friction_power) && std::isfinite(rate.by_mean_friction_power) &&
+         std::isfinite(rate.by_contact_share);
 }
 
 /// The input at the point about which it is reflected, and its reflection.
@@ -127,8 +128,20 @@ WearRate WearLaw::continued(const WearInput& at, std::span<const char> branches)
   return rate;
 }
 
+WearRate WearLaw::in_contact(const WearInput& at, std::span<const char> branches) const {
+  WearRate rate = continued(at, branches);
+  if (!reads_mean() || !(at.contact_share < 1)) return rate;
+  const WearRate idle = continued(of_pressure(at).zero, branches);
+  if (!(idle.value > 0)) return rate;  // so is a branch beyond its border, of max(q - q_mean, 0)
+  for (double WearRate::*each : {&WearRate::value, &WearRate::by_speed, &WearRate::by_depth,
+                                 &WearRate::by_mean_friction_power})
+    rate.*each -= (1 - at.contact_share) * idle.*each;
+  rate.by_contact_share = idle.value;
+  return rate;
+}
+
 WearRate WearLaw::rate(const WearInput& at, std::span<const char> branches) const {
-  const WearRate rate = continued(at, branches);
+  const WearRate rate = in_contact(at, branches);
   if (!finite(rate))
     throw RecoverableError(fmt::format(
         "the wear law has no finite rate, or derivatives of it, at p = {:.4g}, v = {:.4g}, h = "

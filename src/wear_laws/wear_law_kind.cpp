@@ -74,7 +74,7 @@ void check_wear_law(const WearLaw& law, const WearRange& range, const std::strin
             for (const double pressure : {10.0, 3.0, 1.0, 0.3, 0.01, 1e-4, 0.0}) {
               at.pressure = pressure * range.pressure;
               at.friction_power = range.friction * at.pressure * at.speed;
-              // Where a node has no pressure in a contact that has, the law is not asked.
+              // What wears without pressure in a contact that has some is left out (WearLaw).
               at.mean_friction_power =
                   pressure == 0 ? 0 : mean * range.friction * range.pressure * at.speed;
               if (depth > 0 && !has_rate(law, at)) continue;

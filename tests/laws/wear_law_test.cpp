@@ -114,6 +114,31 @@ TEST(WearLaw, ReadsTheMeanOverTheContact) {
   EXPECT_EQ(root.rate(input(20, 5)).by_mean_friction_power, 0);
 }
 
+/// Without pressure it wears by the share in contact alone: nothing where nothing touches.
+TEST(WearLaw, ReadsTheShareInContact) {
+  const auto rate = [](const std::string& law, double p, double share) {
+    WearInput at = input(p, 5, 0.2, 2 * p);
+    at.mean_friction_power = 25;
+    at.contact_share = share;
+    const WearLaw of = law_of(law);
+    std::vector<double> kinks(of.kinks());
+    of.switching(at, kinks);
+    std::vector<char> here;
+    for (const double kink : kinks) here.push_back(kink <= 0);
+    return of.rate(at, here);
+  };
+  const std::string mixed = "1e-3 * (q + q_mean * v * (1 + h))";
+  EXPECT_EQ(rate(mixed, 0, 0).value, 0);
+  EXPECT_NEAR(rate(mixed, 20, 0.3).value, 1e-3 * (40 + 0.3 * 150), 1e-15);
+  EXPECT_NEAR(rate(mixed, 20, 0.3).by_contact_share, 0.15, 1e-15);
+  EXPECT_NEAR(rate(mixed, 20, 0.3).by_speed, 0.3 * 0.03, 1e-15);
+  EXPECT_NEAR(rate(mixed, 20, 0.3).by_depth, 0.3 * 0.125, 1e-15);
+  EXPECT_NEAR(rate(mixed, 20, 0.3).by_mean_friction_power, 0.3 * 0.006, 1e-15);
+  for (const char* law : {"1e-3 * q * if(q_mean < 30, 1, 3)", "1e-3 * max(q - q_mean, 0)",
+                          "1e-3 * p * v * (1 + 0 * q_mean)", "1e-3 * p * v"})
+    EXPECT_EQ(rate(law, 20, 0.3).value, rate(law, 20, 1).value) << law;
+}
+
 TEST(WearLaw, KinksOfAnExpressionSwitch) {
   const WearLaw law = law_of("1e-3 * v * max(p - 10, 0) * if(h < 0.5, 1, 0.2)");
   ASSERT_EQ(law.kinks(), 2);

@@ -27,6 +27,7 @@ struct WearInput {
   double friction_power = 0;  ///< q = mu p v, per nominal area [stress length / time]
   /// q_mean, the mean of q over the contact; of laws that read it, in steady rolling alone.
   double mean_friction_power = 0;
+  double contact_share = 1;  ///< s, the share of the node's area that is in contact
   WearMoment moment;
   std::array<double, 3> initial{};  ///< initial position of the node [length]
 };
@@ -35,7 +36,7 @@ struct WearInput {
 struct WearRate {
   double value = 0;
   double by_pressure = 0, by_speed = 0, by_depth = 0, by_friction_power = 0;
-  double by_mean_friction_power = 0;
+  double by_mean_friction_power = 0, by_contact_share = 0;
 };
 
 /// A wear law. A value; copies share what they hold, and may be used by several threads at once.
@@ -51,7 +52,11 @@ struct WearRate {
 ///     f(p, q) = 2 f(0, 0) - f(-p, -q)     at the same v, h, q_mean, t, s
 ///
 /// which has the value and slope of f at p = 0, and derivatives that follow from those of f. So it
-/// is below q_mean = 0, which iterates may reach.
+/// is below q_mean = 0, which iterates may reach. Of a law that reads q_mean, which need not vanish
+/// with the pressure, what it wears without pressure counts by the share in contact alone: the rate
+/// is
+///
+///     f(p, q) - (1 - s) max(f(0, 0), 0)   at the same v, h, q_mean, t, s
 class WearLaw {
 public:
   struct Definition {
@@ -88,6 +93,7 @@ public:
 
 private:
   WearRate continued(const WearInput& at, std::span<const char> branches) const;
+  WearRate in_contact(const WearInput& at, std::span<const char> branches) const;
 
   std::shared_ptr<const Definition> definition_;
 };
