@@ -50,9 +50,7 @@ TEST_F(PairRolling, FarBeyondStickItSlides) {
 /// The cap, whose surface is curved, is the slave then. Its track is half as long, so that it wears
 /// twice as deep.
 TEST_F(PairRolling, BothSurfacesWearAlongTheirTracks) {
-  std::string bodies = rail(two_half_planes(16, 14, 1.32));
-  bodies += "Physical Curve(\"tread\") = {24, 25, 28};\n";
-  folder_.write("both.geo", bodies);
+  folder_.write("both.geo", rail_and_tread(two_half_planes(16, 14, 1.32)));
   const auto model = this->model(rolling_cap(1020) + "[wear.surfaces.tread]\npath = 50.0\n",
                                  {"mesh.file=both.geo", "wear.on=[\"face\", \"tread\"]"});
   const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1000);

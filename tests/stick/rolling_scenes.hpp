@@ -102,6 +102,10 @@ protected:
     bodies.erase(bodies.find(round), round.size() + 8);
     return bodies;
   }
+  /// With that of the cap, too.
+  static std::string rail_and_tread(const std::string& bodies) {
+    return rail(bodies) + "Physical Curve(\"tread\") = {24, 25, 28};\n";
+  }
 };
 
 }  // namespace gnomon::testing
