@@ -15,6 +15,13 @@ namespace gnomon {
 
 namespace {
 
+/// From which a node counts as in contact as a whole, in the mean of q.
+template <int dim>
+double full_pressure(const Assembly<dim>& body) {
+  constexpr double part = 0.1;  // of the typical mean pressure
+  return part * body.scales.stress;
+}
+
 template <int dim>
 ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& phase,
                                 const WornBodyFields& fields, double nominal_speed) {
@@ -29,7 +36,8 @@ ContactState<dim> contact_state(const Assembly<dim>& body, const Phase<dim>& pha
                                          .friction = contact.friction,
                                          .streaming = contact.streaming,
                                          .normal_rule = contact.normal_rule,
-                                         .rho = contact.rho},
+                                         .rho = contact.rho,
+                                         .full_pressure = full_pressure(body)},
                           .patches = body.contact_nodes,
                           .wear_weight = body.wear_weight,
                           .surface_of = body.surface_of,
@@ -60,6 +68,7 @@ MortarState<dim> mortar_state(const Assembly<dim>& body, const Phase<dim>& phase
                          .rho = body.interface.rho,
                          .places = phase.places,
                          .part = phase.weight,
+                         .full_pressure = full_pressure(body),
                          .nominal_speed = nominal_speed};
   for (const Surface<dim>& surface : body.interface.surfaces) state.laws.push_back(surface.wear);
   return state;

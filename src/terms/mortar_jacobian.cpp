@@ -92,15 +92,19 @@ void MortarTerm<dim>::add_master(const SlaveFacet& facet, const Surfaces& at, in
     const SideState& slave = at.sides[facet.sides[a]];
     if (slave.active) matrix.add_pressing(a, master, b);
     if (!state.direction) continue;
-    // d(Wdot C) by the area, load and power that the slave's corner shares with the master's.
+    // d(Wdot C) by the area, load, power and contact that the slave's corner shares with it.
     const double by_power = state.rate_by_speed / state.pressure(),
                  by_load = state.rate_by_pressure - by_power * state.speed(),
-                 by_area = state.rate.value - state.pressure() * state.rate_by_pressure;
+                 by_touching = state.rate.by_contact_share,
+                 by_area = state.rate.value - state.pressure() * state.rate_by_pressure -
+                           state.contact_share() * by_touching;
     const MortarTraction<dim>& of = slave.traction;
     const double by_pressure = by_load + by_power * of.speed;
     const Vector<dim> direction = weight(sides_[side]) * state.direction->value;
-    matrix.add_master_wear(a, master, b, direction, by_area + of.pressure * by_pressure);
-    matrix.add_master_wear_by_traction(a, master, b, direction, by_pressure,
+    matrix.add_master_wear(a, master, b, direction,
+                           by_area + of.pressure * by_pressure + slave.share.value * by_touching);
+    matrix.add_master_wear_by_traction(a, master, b, direction,
+                                       by_pressure + by_touching * slave.share.by_pressure,
                                        by_power * of.pressure);
   }
 }

@@ -174,14 +174,13 @@ template <int dim>
 typename MortarTerm<dim>::MeanPart MortarTerm<dim>::mean_part(const Evaluation<dim>& at,
                                                               const Side& side,
                                                               const SideState& state) const {
-  const double mean = mean_power(at, side), rest = mean_of_nothing * patch(side).initial_area;
-  if (!holds_gap(state)) return {.value = rest * mean, .by_mean = rest};
-  const double f = pair(side).friction, p = state.traction.pressure, v = state.traction.speed,
-               lacks = mean - f * p * v;
+  const double mean = mean_power(at, side), rest = mean_of_nothing * patch(side).initial_area,
+               f = pair(side).friction, p = state.traction.pressure, v = state.traction.speed,
+               lacks = state.share.value * mean - f * p * v;
   return {.value = rest * mean + state.area * lacks,
-          .by_mean = rest + state.area,
+          .by_mean = rest + state.touching,
           .by_area = lacks,
-          .by_pressure = -f * v,
+          .by_pressure = state.share.by_pressure * mean - f * v,
           .by_speed = -f * p};
 }
 

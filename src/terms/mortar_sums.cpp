@@ -102,6 +102,8 @@ void MortarTerm<dim>::find_traction(const Evaluation<dim>& at, const Side& side,
   }
   state.load = -state.lambda * state.area;
   state.rubbing = state.traction.pressure * state.area;
+  state.share = {state.traction.pressure, state_.full_pressure};
+  state.touching = state.share.value * state.area;
   state.power = state.rubbing * state.traction.speed;
   state.force = state.area * state.traction.value;
 }
@@ -119,6 +121,7 @@ void MortarTerm<dim>::add_masters(Surfaces& result) const {
           const double shared = covering.W(a, b), rubbing = slave.traction.pressure * shared;
           master.area += shared;
           master.load -= slave.lambda * shared;
+          master.touching += slave.share.value * shared;
           master.rubbing += rubbing;
           master.power += rubbing * slave.traction.speed;
           master.force -= covering.M(a, b) * slave.traction.value;
@@ -131,8 +134,9 @@ template <int dim>
 WearInput MortarTerm<dim>::wear_input_of(const Evaluation<dim>& at, const Side& side,
                                          const SideState& state) const {
   const double p = state.pressure(), v = state.speed();
-  Vector<5> variables;
-  variables << p, v, depth(at, side), pair(side).friction * p * v, mean_power(at, side);
+  Vector<6> variables;
+  variables << p, v, depth(at, side), pair(side).friction * p * v, mean_power(at, side),
+      state.contact_share();
   return wear_input(patch(side), variables, moment(at, side));
 }
 
@@ -147,12 +151,13 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
   const double friction = pair(side).friction;
   state.rate = law(side).rate(wear_input_of(at, side, state), law_branch(at, side));
   const double share = state_.path ? state_.path->share : 1;
-  for (double* of :
-       {&state.rate.value, &state.rate.by_pressure, &state.rate.by_speed, &state.rate.by_depth,
-        &state.rate.by_friction_power, &state.rate.by_mean_friction_power})
+  for (double* of : {&state.rate.value, &state.rate.by_pressure, &state.rate.by_speed,
+                     &state.rate.by_depth, &state.rate.by_friction_power,
+                     &state.rate.by_mean_friction_power, &state.rate.by_contact_share})
     *of *= share;
   state.rate_by_pressure =
       state.rate.by_pressure + friction * state.speed() * state.rate.by_friction_power;
+  if (side.slave) state.rate_by_pressure += state.rate.by_contact_share * state.share.by_pressure;
   state.rate_by_speed =
       state.rate.by_speed + friction * state.pressure() * state.rate.by_friction_power;
   if (!own.may_move()) return;

@@ -172,9 +172,7 @@ TEST_F(RollingScenes, AMeanIsOfRollingAlone) {
 
 /// Both surfaces wear by the mean of their contact, and lose the same.
 TEST_F(PairRolling, BothSurfacesWearByTheMean) {
-  std::string bodies = rail(two_half_planes(8, 5, 2.4));
-  bodies += "Physical Curve(\"tread\") = {24, 25, 28};\n";
-  folder_.write("both.geo", bodies);
+  folder_.write("both.geo", rail_and_tread(two_half_planes(8, 5, 2.4)));
   const std::string text = rolling_cap(1020) + "[wear.surfaces.tread]\npath = 50.0\n";
   const auto of_law = [&](const std::string& law) {
     return this->model(text, {"mesh.file=both.geo", "wear.on=[\"face\", \"tread\"]", rate(law)});
@@ -186,7 +184,8 @@ TEST_F(PairRolling, BothSurfacesWearByTheMean) {
   const double flux = observed(*plain, plain->start(counters), "wear_flux");
   const State start = model->start(counters);
   const double mean = start.y[means(*model).front()], worn = flux * std::pow(1 + mean / 2000, 2);
-  EXPECT_NEAR(mean * observed(*model, start, "contact_area") * 2e-9 / flux, 1, 1e-8);
+  // A node at the edge, with less than a tenth of the typical pressure, counts by its share.
+  EXPECT_NEAR(mean * observed(*model, start, "contact_area") * 2e-9 / flux, 1, 1e-3);
   EXPECT_NEAR(observed(*model, start, "wear_flux") / worn, 1, 1e-8);
   const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1000);
   for (const char* body : {"cap", "flat"})
@@ -194,17 +193,51 @@ TEST_F(PairRolling, BothSurfacesWearByTheMean) {
                 0.02);
 }
 
+/// By a law that does not vanish with the pressure, too, however little some nodes are touched.
+template <class ModelOf>
+void expect_the_same_wear_by_the_mean(const ModelOf& model_of,
+                                      const std::vector<std::string>& bodies) {
+  Counters counters;
+  const auto by_power = model_of(rate("k * q")), by_mean = model_of(rate("k * q_mean"));
+  const State of_power = by_power->start(counters), of_mean = by_mean->start(counters);
+  const double lost = observed(*by_power, of_power, "wear_flux_" + bodies.front());
+  EXPECT_GT(lost, 0);
+  for (const std::string& body : bodies)
+    EXPECT_NEAR(observed(*by_mean, of_mean, "wear_flux_" + body) / lost, 1, 1e-6) << body;
+}
+
+TEST_F(PairRolling, BothBodiesLoseTheSameByTheMean) {
+  folder_.write("both.geo", rail_and_tread(two_half_planes(8, 5, 2.4)));
+  for (const double velocity : {1000.5, 1020.0})
+    expect_the_same_wear_by_the_mean(
+        [&](const std::string& law) {
+          return model(rolling_cap(velocity) + "[wear.surfaces.tread]\npath = 50.0\n",
+                       {"mesh.file=both.geo", "wear.on=[\"face\", \"tread\"]", law});
+        },
+        {"cap", "flat"});
+}
+
+TEST_F(PairRolling, BothBodiesLoseTheSameByTheMeanInSpace) {
+  expect_the_same_wear_by_the_mean(
+      [](const std::string& law) {
+        return make_model(
+            load_scene(shipped("wheel_on_rail.toml"), {"mesh.factor=2.5", law}, key_table));
+      },
+      {"wheel", "rail"});
+}
+
 TEST_F(PairRolling, JacobianWithAMeanEqualsFiniteDifferences) {
-  folder_.write("coarse.geo", rail(two_half_planes(4, 3, 4)));
+  folder_.write("coarse.geo", rail_and_tread(two_half_planes(4, 3, 4)));
   const auto model =
-      this->model(rolling_cap(1000), {"mesh.file=coarse.geo", "motion.1.force=2.5",
-                                      "wear.coefficient=1e-7", rate("k * (q + q_mean * (1 + h))")});
+      this->model(rolling_cap(1000) + "[wear.surfaces.tread]\npath = 50.0\n",
+                  {"mesh.file=coarse.geo", "wear.on=[\"face\", \"tread\"]", "motion.1.force=2.5",
+                   "wear.coefficient=1e-7", rate("k * (q + q_mean * (1 + h))")});
   Counters counters;
   std::vector<double> y = model->start(counters).y;
   const Structure& structure = model->system().structure();
   for (std::size_t i = 0; i < y.size(); ++i)
     y[i] += 0.02 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
-  expect_jacobian_with_mean(*model, y, 5e-4);
+  expect_jacobian_with_mean(*model, y, 1e-4);
 }
 
 }  // namespace

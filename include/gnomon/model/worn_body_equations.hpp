@@ -68,7 +68,7 @@ std::size_t nearest_instant(const Assembly<dim>& assembly, double position);
 ///   lambda           C_N, eq. 26                                                        [length]
 ///   lambda_T, r, s   where friction may stick: stick_node.hpp, stick_term.hpp, mortar_term.hpp
 ///   w                contact force on the counter-body - applied force, by guide        [force]
-///   q_mean           sum A (q_mean - q) over the closed nodes; of laws that read it [power]
+///   q_mean           sum A (s q_mean - q), s of contact_share.hpp; of laws that read it  [power]
 ///   d (interior)     auxiliary equilibrium, eq. 20                                      [force]
 ///   d (contact)      ddot + Wdot N, eq. 14                                        [length/time]
 ///   mu               auxiliary equilibrium minus A^ mu, eq. 22 (multiplier form)        [force]

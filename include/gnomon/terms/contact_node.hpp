@@ -36,7 +36,8 @@ struct ContactParameters {
   double friction = 0;                          ///< Coulomb's coefficient mu of eq. (10)
   Vector<dim> streaming = Vector<dim>::Zero();  ///< V of eq. (7), along the surface [length / time]
   NormalRule normal_rule = NormalRule::averaged;
-  double rho = 1;  ///< [stress / length]
+  double rho = 1;            ///< [stress / length]
+  double full_pressure = 0;  ///< from which a node counts as in contact as a whole [stress]
 };
 
 /// The state of a contact node: everything that its residual depends on.
@@ -88,7 +89,7 @@ struct ContactKinematics {
   Vector<dim, Scalar> relative;     ///< F V - v^2 [length / time]
   UnilateralContact<Scalar> contact;
   Sliding<dim, Scalar> sliding;
-  Vector<5, Scalar> wear;  ///< wear_variables()
+  Vector<6, Scalar> wear;  ///< wear_variables()
 
   ContactKinematics(const ContactParameters<dim>& parameters, const ContactPatch<dim>& patch,
                     const ContactInput<dim, Scalar>& at, const NodeBranch& branch = {});
@@ -180,14 +181,14 @@ Scalar worn_depth(const ContactPatch<dim>& patch, const PatchNodal<dim, Scalar>&
   return -d.dot(patch.initial_normal.template cast<Scalar>());
 }
 
-/// p, v, h, q and q_mean of a contact node.
+/// p, v, h, q, q_mean and s of a contact node.
 template <int dim, class Scalar>
-Vector<5, Scalar> wear_variables(const ContactPatch<dim>& patch,
+Vector<6, Scalar> wear_variables(const ContactPatch<dim>& patch,
                                  const ContactInput<dim, Scalar>& at, const Scalar& friction,
-                                 const Scalar& pressure, const Scalar& speed) {
-  Vector<5, Scalar> variables;
+                                 const Scalar& pressure, const Scalar& speed, const Scalar& share) {
+  Vector<6, Scalar> variables;
   variables << pressure, speed, worn_depth<dim, Scalar>(patch, at.X),
-      Scalar(friction * pressure * speed), at.mean_power;
+      Scalar(friction * pressure * speed), at.mean_power, share;
   return variables;
 }
 
@@ -200,22 +201,23 @@ std::array<double, 3> initial_position_of(const ContactPatch<dim>& patch) {
 }
 
 template <int dim>
-WearInput wear_input(const ContactPatch<dim>& patch, const Vector<5>& variables,
+WearInput wear_input(const ContactPatch<dim>& patch, const Vector<6>& variables,
                      const WearMoment& moment) {
   return {.pressure = variables[0],
           .speed = variables[1],
           .depth = variables[2],
           .friction_power = variables[3],
           .mean_friction_power = variables[4],
+          .contact_share = variables[5],
           .moment = moment,
           .initial = initial_position_of<dim>(patch)};
 }
 
 /// By wear_variables().
-inline Vector<5> gradient(const WearRate& rate) {
-  Vector<5> by;
+inline Vector<6> gradient(const WearRate& rate) {
+  Vector<6> by;
   by << rate.by_pressure, rate.by_speed, rate.by_depth, rate.by_friction_power,
-      rate.by_mean_friction_power;
+      rate.by_mean_friction_power, rate.by_contact_share;
   return by;
 }
 
@@ -237,7 +239,7 @@ ContactKinematics<dim, Scalar>::ContactKinematics(const ContactParameters<dim>& 
               velocity_variance<dim>(patch, partner.velocity_by.template leftCols<dim>(),
                                      partner.across_by.template head<dim>().transpose())),
       wear(wear_variables<dim, Scalar>(patch, at, Scalar(parameters.friction),
-                                       Scalar(-contact.traction), sliding.speed)) {}
+                                       Scalar(-contact.traction), sliding.speed, Scalar(1))) {}
 
 template <int dim, class Scalar>
 ContactNode<dim, Scalar>::ContactNode(const ContactParameters<dim>& parameters,

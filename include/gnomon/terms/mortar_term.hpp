@@ -33,10 +33,14 @@
 // Wear laws of the surfaces of a pair may read the mean of q over its contact, an unknown of the
 // pair,
 //
-//   q_mean    sum_i D_i (q_mean - q_i) = 0, of the slave nodes in contact
+//   q_mean    sum_i D_i (s_i q_mean - q_i) = 0
+//
+// with the share s_i of a slave that counts as in contact (laws/contact_share.hpp). A master has
+// s_j = sum_i s_i W_ij / C_j, so that both bodies lose the same by a law k q_mean.
 #pragma once
 
 #include <algorithm>
+#include <gnomon/laws/contact_share.hpp>
 #include <gnomon/terms/contact_nodes.hpp>
 #include <gnomon/terms/mortar_facet.hpp>
 #include <gnomon/terms/mortar_pair.hpp>
@@ -74,6 +78,7 @@ struct MortarState {
   double rho = 1;                         ///< [stress / length]
   std::vector<BodyPlace<dim>> places{};   ///< of the bodies; empty: at rest
   double part = 1;                        ///< of the mean over a cycle: the weight of its phase
+  double full_pressure = 0;               ///< from which a node is in contact as a whole [stress]
   double nominal_speed = 0;               ///< at which the bodies slide [length / time]
   std::optional<MortarPath<dim>> path{};  ///< friction may stick
 };
@@ -117,12 +122,14 @@ private:
   };
   /// What a side has at a state.
   struct SideState {
-    double lambda = 0;   ///< effective; of a slave
-    double area = 0;     ///< D of a slave, C of a master
-    double gap = 0;      ///< g of a slave, times area
-    double load = 0;     ///< force by pressure: D p, or sum_i p_i W_ij
-    double rubbing = 0;  ///< the same of the pressures that wear
-    double power = 0;    ///< rubbing times speed of sliding
+    double lambda = 0;     ///< effective; of a slave
+    double area = 0;       ///< D of a slave, C of a master
+    double gap = 0;        ///< g of a slave, times area
+    double load = 0;       ///< force by pressure: D p, or sum_i p_i W_ij
+    double rubbing = 0;    ///< the same of the pressures that wear
+    double power = 0;      ///< rubbing times speed of sliding
+    double touching = 0;   ///< area in contact: s D, or sum_i s_i W_ij
+    ContactShare share{};  ///< s of a slave
     bool active = false;
     Vector<dim> force = Vector<dim>::Zero();     ///< in space
     Vector<dim> covering = Vector<dim>::Zero();  ///< of a slave sum_j M_ij (X_j + d_j) [volume]
@@ -134,6 +141,7 @@ private:
     double rate_by_pressure = 0, rate_by_speed = 0;  ///< friction power by the chain rule
 
     double pressure() const { return area > 0 ? rubbing / area : 0; }
+    double contact_share() const { return area > 0 ? touching / area : 0; }
     /// Shares of area may be negative by rounding.
     double speed() const { return rubbing > 0 ? std::max(0.0, power / rubbing) : 0; }
   };

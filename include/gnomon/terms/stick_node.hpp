@@ -19,11 +19,14 @@
 //   Wdot  = Wdot(p, v),  p the mean of this phase and the one before,  v = |Delta| / interval
 //
 // where it does not stick; what else a node has is that of contact_node.hpp. In rolling a law may
-// read the mean m of q over the closed nodes, an unknown with the row
+// read the mean m of q over the contact, an unknown with the row
 //
-//   sum A (m - q) = 0
+//   sum A (s m - q) = 0
+//
+// with the share s of a node that counts as in contact (laws/contact_share.hpp).
 #pragma once
 
+#include <gnomon/laws/contact_share.hpp>
 #include <gnomon/laws/friction_factor.hpp>
 #include <gnomon/laws/stick_friction.hpp>
 #include <gnomon/terms/contact_node.hpp>
@@ -78,8 +81,8 @@ struct StickNode {
   Vector<dim, Scalar> constraint;    ///< C of lambda_T [length]
   Vector<dim, Scalar> place;         ///< r [length]
   std::array<double, 2> switching;   ///< lambda + rho g, |T^| - r
-  Vector<5, Scalar> wear;            ///< wear_variables()
-  Scalar lacks{0};                   ///< A (m - q), of a closed node [force length / time]
+  Vector<6, Scalar> wear;            ///< wear_variables()
+  Scalar lacks{0};                   ///< A (s m - q) [force length / time]
 
   StickNode(const StickParameters<dim>& parameters, const ContactPatch<dim>& patch,
             const StickInput<dim, Scalar>& at, const StickBranch& branch = {});
@@ -181,7 +184,9 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   Scalar speed(0), pressure = Scalar(-0.5) * met.contact.traction;
   if (!friction.sticks && square > Scalar(0)) speed = sqrt(square) / Scalar(at.interval);
   if (at.lambda_before < Scalar(0)) pressure -= Scalar(0.5) * at.lambda_before;
-  wear = wear_variables<dim, Scalar>(patch, at.contact, coefficient, pressure, speed);
+  const ContactShare known(plain(pressure), of.full_pressure);
+  const Scalar share = lift(known.value, Vector<1>(known.by_pressure), Vector<1, Scalar>(pressure));
+  wear = wear_variables<dim, Scalar>(patch, at.contact, coefficient, pressure, speed, share);
   contact.wear_rate = Scalar(0);
   if (plain(pressure) > 0) {
     const WearRate rate =
@@ -193,8 +198,8 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   }
   contact.velocity =
       -contact.wear_rate * (patch.shape_free.template cast<Scalar>() * surface.normal);
-  lacks = surface.area * Scalar(mean_of_nothing * at.contact.mean_power);
-  if (met.contact.active) lacks += surface.area * Scalar(at.contact.mean_power - wear[3]);
+  lacks =
+      surface.area * Scalar((share + Scalar(mean_of_nothing)) * at.contact.mean_power - wear[3]);
 }
 
 }  // namespace gnomon
