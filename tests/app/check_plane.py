@@ -273,11 +273,11 @@ assert not cycle.goes_back(cyclic) and cycle.goes_back(bore(0.01, 2.5))
 
 
 # The pressure in a full bore, which x does not order, is drawn along it and not cut in two where it begins.
-def full_bore(count, of_top=0.0, begin=0):
+def full_bore(count, of_top=0.0, begin=0, way=1):
     """Pressure around the lowest point, where rows begin or `begin` rows after it, and `of_top` at
-    the highest one."""
+    the highest one; `way`: the sense of the rows."""
     angle = 2 * np.pi * np.arange(begin, begin + count) / count
-    x, y = -10 * np.sin(angle), -10 * np.cos(angle)
+    x, y = -10 * way * np.sin(angle), -10 * np.cos(angle)
     load = np.maximum(np.cos(angle) - 0.5, 0) + np.where(angle == np.pi, of_top, 0)
     node = np.arange(count)
     ring = np.stack([node, np.roll(node, -1), np.roll(node, -1) + count, node + count], axis=1)
@@ -313,8 +313,9 @@ one, two = figure.axes[0].lines[:2]
 assert one.get_color() == two.get_color() == "black" != figure.axes[0].lines[2].get_color()
 assert one.get_linestyle() == "-" and two.get_linestyle() == "--"
 assert one.get_marker() == two.get_marker() == ""
-try:
-    pressure.draw_two(full_bore(80), full_bore(120, begin=30))
-    raise AssertionError("lengths of other places")
-except Unsuitable:
-    pass
+for other in (full_bore(120, begin=30), full_bore(80, way=-1)):
+    try:
+        pressure.draw_two(full_bore(80), other)
+        raise AssertionError("lengths of other places")
+    except Unsuitable:
+        pass

@@ -76,12 +76,20 @@ def draw_two(first, second):
 
 
 def require_same_places(line, other, first, second):
-    """Lengths are of the same places only if they begin at the same one; which it is on a closed
-    surface depends on the mesh."""
-    starts = [[table[name][numpy.abs(table["length"]).argmin()] for name in ("X0", "Y0")]
-              for table in (first, second) if "length" in table]
-    if line.axis != other.axis or starts and not numpy.allclose(
-            *starts, rtol=0, atol=1e-6 * numpy.ptp(first[line.axis])):
+    """Lengths are of the same places only if they begin at the same one and go the same way round;
+    which it is on a closed surface depends on the mesh."""
+    size = numpy.ptp(first[line.axis])
+    same = line.axis == other.axis
+    if same and line.axis == "length":
+        tables = first, second
+        starts = [[table[name][numpy.abs(table["length"]).argmin()] for name in ("X0", "Y0")]
+                  for table in tables]
+        later = max(table["length"][0] for table in tables) + 0.1 * size
+        places = [[numpy.interp(later, table["length"], table[name]) for name in ("X0", "Y0")]
+                  for table in tables]
+        same = (numpy.allclose(*starts, rtol=0, atol=1e-6 * size)
+                and numpy.allclose(*places, rtol=0, atol=0.02 * size))
+    if not same:
         raise Unsuitable("it is not known which places of the two surfaces are the same")
 
 

@@ -56,8 +56,8 @@ def mark_unstable(runs):
     for problem in distinct((run.study, run.sweep) for run in runs):
         known = [run for run in runs if (run.study, run.sweep) == problem and run.finished
                  and run.pressure_error >= 0 and run.max_pressure > 0]
+        best = min(known, key=lambda run: run.pressure_error, default=None)
         for run in known:
-            best = min(known, key=lambda other: other.pressure_error)
             run.unstable = run.fixed_step and run.pressure_error > WRONG * best.max_pressure
 
 
