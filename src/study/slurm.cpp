@@ -89,7 +89,7 @@ public:
       if (worth.empty()) break;
       if (submitted_)
         hooks_.on_warning(fmt::format(
-            "{} runs are not done and have no job in the queue; they are submitted again",
+            "runs that are not done and have no job in the queue are submitted again: {}",
             worth.size()));
       submit(worth);
       submitted_ = true;
@@ -122,7 +122,10 @@ private:
   bool look_at_jobs() {
     std::erase_if(jobs_, [this](const std::string& job) {
       const Captured seen = run_slurm({"squeue", "--noheader", "--format=%i", "--jobs=" + job});
-      if (seen.exit_code == 0) return seen.out.find(job) == std::string::npos;
+      if (seen.exit_code == 0) {
+        last_refusal_.clear();
+        return seen.out.find(job) == std::string::npos;
+      }
       if (seen.err.find("Invalid job id") != std::string::npos) return true;
       const std::string reason = first_line(seen.err);  // Slurm does not answer
       if (reason != last_refusal_)

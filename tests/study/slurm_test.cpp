@@ -114,8 +114,9 @@ TEST_F(BySlurm, AFailingQueryIsToldAndRepeatedAndSubmitsNothing) {
       "contact slurm controller\n";
   EXPECT_THAT(outcome.err, HasSubstr(warning));
   EXPECT_EQ(outcome.err.find(warning), outcome.err.rfind(warning)) << "once";
-  EXPECT_THAT(outcome.err, HasSubstr("gnomon: warning: 4 runs are not done and have no job in the "
-                                     "queue; they are submitted again\n"));
+  EXPECT_THAT(outcome.err,
+              HasSubstr("gnomon: warning: runs that are not done and have no job in the "
+                        "queue are submitted again: 4\n"));
   EXPECT_THAT(calls(), SizeIs(2));
 }
 
