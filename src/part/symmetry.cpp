@@ -5,21 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+
+#include "mesh/facet_table.hpp"
+#include "model/expected_contact.hpp"
 
 namespace gnomon::part {
 
 namespace {
 
-template <int dim, class Facets>
-std::set<int> nodes_of(const Facets& facets) {
-  std::set<int> result;
-  for (const auto& facet : facets) result.insert(facet.begin(), facet.end());
-  return result;
-}
-
 /// x_axis = place, with the nodes of the contact on it, all others beyond on one side.
-template <int dim>
 struct CutPlane {
   std::string support;
   int axis = 0;
@@ -29,14 +25,13 @@ struct CutPlane {
 
 /// Planes of the supports that hold nodes of these in one direction alone.
 template <int dim>
-std::vector<CutPlane<dim>> cut_planes(const AssemblyParts<dim>& parts,
-                                      const std::set<int>& contact) {
+std::vector<CutPlane> cut_planes(const AssemblyParts<dim>& parts, const std::set<int>& contact) {
   const auto& X = parts.mesh.nodes;
   const auto at = [&](int node, int axis) { return X[static_cast<std::size_t>(node)][axis]; };
-  std::vector<CutPlane<dim>> result;
+  std::vector<CutPlane> result;
   for (const NamedSupport& support : parts.supports.named)
     for (int axis = 0; axis < dim; ++axis) {
-      CutPlane<dim> plane{support.name, axis, 0, {}};
+      CutPlane plane{support.name, axis, 0, {}};
       double least = std::numeric_limits<double>::infinity(), most = -least;
       for (const auto& [node, direction] : support.held) {
         if (direction != axis) continue;
@@ -54,40 +49,18 @@ std::vector<CutPlane<dim>> cut_planes(const AssemblyParts<dim>& parts,
   return result;
 }
 
-/// How much farther these nodes are from the partner than the nearest ones [length].
+/// Leaves the nodes of the planes where contact may be within `reach` of where it is first.
 template <int dim>
-double farther(const AssemblyParts<dim>& parts, const std::set<int>& contact,
-               const std::vector<int>& nodes) {
-  const auto& X = parts.mesh.nodes;
-  const std::vector<Phase<dim>> phases = parts.instants();
-  const auto travel = [&](int node) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Phase<dim>& phase : phases)
-      least = std::min(least, phase.counter_body.travel_to(X[static_cast<std::size_t>(node)]));
-    return least;
-  };
-  const auto least_of = [](const auto& some, const auto& distance) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const int node : some) least = std::min(least, distance(node));
-    return least;
-  };
-  if (parts.pairs.empty()) return least_of(nodes, travel) - least_of(contact, travel);
-  double least = std::numeric_limits<double>::infinity();
-  for (const MortarPair<dim>& pair : parts.pairs)
-    for (const std::size_t side : {0u, 1u}) {
-      const std::set<int> own = nodes_of<dim>(side == 0 ? pair.slave : pair.master),
-                          other = nodes_of<dim>(side == 0 ? pair.master : pair.slave);
-      const auto apart = [&](int node) {
-        return least_of(other, [&](int to) {
-          return (X[static_cast<std::size_t>(node)] - X[static_cast<std::size_t>(to)]).norm();
-        });
-      };
-      std::vector<int> here;
-      for (const int node : nodes)
-        if (own.contains(node)) here.push_back(node);
-      if (!here.empty()) least = std::min(least, least_of(here, apart) - least_of(own, apart));
-    }
-  return least;
+void keep_reached(const AssemblyParts<dim>& parts, double reach, std::vector<CutPlane>& planes) {
+  if (planes.empty()) return;
+  const std::map<int, double> gaps = gaps_over_cycle(parts, true);
+  double first = std::numeric_limits<double>::infinity();
+  for (const auto& [node, gap] : gaps) first = std::min(first, gap);
+  for (CutPlane& plane : planes)
+    std::erase_if(plane.nodes, [&](int node) {
+      const auto found = gaps.find(node);
+      return found == gaps.end() || !(found->second - first <= reach);
+    });
 }
 
 /// The part of a vector along an axis.
@@ -105,55 +78,53 @@ double rolls_across(const Rolling<dim>& rolling, const Vector<dim>& x, int axis)
                    part_along<dim>(rolling.creepage_at(x), axis)});
 }
 
-/// Of one phase, and since the first phase of a path.
+/// Of a pair in one phase, and since the first phase of a path.
 template <int dim>
-double slides_across(const AssemblyParts<dim>& parts, const Phase<dim>& phase,
-                     const Phase<dim>& first, const Vector<dim>& x, int axis) {
-  double most = 0;
-  const auto add = [&](const RigidMotion<dim>& motion, const Vector<dim>& streaming) {
-    most = std::max(most, part_along<dim>(motion.at(x) - streaming, axis, motion.across_at(x)));
+double slides_across(const MortarPair<dim>& pair, const Phase<dim>& phase, const Phase<dim>& first,
+                     bool sticks, const Vector<dim>& x, int axis) {
+  const PairPlaces<dim> now(pair, phase.places), before(pair, first.places);
+  const auto apart = [&](const PairPlaces<dim>& at) {
+    return Vector<dim>(at.of[1].of(x) - at.of[0].of(x));
   };
-  if (parts.pairs.empty()) {
-    add(phase.counter_body.motion, parts.interface.streaming);
-    if (parts.interface.sticks)
-      most = std::max(
-          most, part_along<dim>(phase.counter_body.position - first.counter_body.position, axis));
-  }
-  for (const MortarPair<dim>& pair : parts.pairs) {
-    const PairPlaces<dim> now(pair, phase.places), before(pair, first.places);
-    add(now.motion, Vector<dim>::Zero());
-    const auto apart = [&](const PairPlaces<dim>& at) {
-      return Vector<dim>(at.of[1].of(x) - at.of[0].of(x));
-    };
-    if (parts.interface.sticks)
-      most = std::max(most, part_along<dim>(apart(now) - apart(before), axis));
-  }
-  for (const Guide<dim>& guide : phase.counter_body.guides)
+  const double moves = part_along<dim>(now.motion.at(x), axis, now.motion.across_at(x));
+  return sticks ? std::max(moves, part_along<dim>(apart(now) - apart(before), axis)) : moves;
+}
+
+/// The same of a counter-body, which forces along its further guides move, too.
+template <int dim>
+double slides_across(const Interface<dim>& interface, const Phase<dim>& phase,
+                     const Phase<dim>& first, const Vector<dim>& x, int axis) {
+  const CounterBody<dim>& other = phase.counter_body;
+  double most =
+      part_along<dim>(other.motion.at(x) - interface.streaming, axis, other.motion.across_at(x));
+  if (interface.sticks)
+    most = std::max(most, part_along<dim>(other.position - first.counter_body.position, axis));
+  for (const Guide<dim>& guide : other.guides)
     if (guide.force && *guide.force != 0 && guide.share == 0)
       most = std::max(most, std::abs(guide.along[axis]));
   return most;
 }
 
-/// What of the motions and forces between the bodies is across the plane, by the whole, at most.
+/// The part across the plane of what moves or drives the partners that rub on a node of it.
 template <int dim>
-double across(const AssemblyParts<dim>& parts, const CutPlane<dim>& plane) {
+double across(const AssemblyParts<dim>& parts, int node, int axis) {
+  const Interface<dim>& interface = parts.interface;
   const std::vector<Phase<dim>> phases = parts.instants();
+  const Vector<dim>& x = parts.mesh.nodes[static_cast<std::size_t>(node)];
   double most = 0;
-  for (const int node : plane.nodes) {
-    const Vector<dim>& x = parts.mesh.nodes[static_cast<std::size_t>(node)];
-    if (parts.interface.rolling)
-      most = std::max(most, rolls_across(*parts.interface.rolling, x, plane.axis));
-    else
-      for (const Phase<dim>& phase : phases)
-        most = std::max(most, slides_across(parts, phase, phases.front(), x, plane.axis));
+  for (const MortarPair<dim>& pair : parts.pairs) {
+    if (pair.friction == 0) continue;
+    if (!nodes_of_facets(pair.slave).contains(node) && !nodes_of_facets(pair.master).contains(node))
+      continue;
+    if (interface.rolling) return rolls_across(*interface.rolling, x, axis);
+    for (const Phase<dim>& phase : phases)
+      most = std::max(most, slides_across(pair, phase, phases.front(), interface.sticks, x, axis));
   }
+  if (!parts.pairs.empty() || interface.friction == 0) return most;
+  if (interface.rolling) return rolls_across(*interface.rolling, x, axis);
+  for (const Phase<dim>& phase : phases)
+    most = std::max(most, slides_across(interface, phase, phases.front(), x, axis));
   return most;
-}
-
-template <int dim>
-bool has_friction(const AssemblyParts<dim>& parts) {
-  return parts.interface.friction > 0 ||
-         std::ranges::any_of(parts.pairs, [](const auto& pair) { return pair.friction > 0; });
 }
 
 }  // namespace
@@ -162,21 +133,20 @@ template <int dim>
 std::vector<std::string> remarks_on_symmetry(const AssemblyParts<dim>& parts,
                                              const Magnitudes& expected) {
   constexpr double little = 1e-6;  // of what rounding leaves across
-  if (!has_friction(parts) || parts.section() == Section::meridian) return {};
-  std::set<int> contact;
-  for (const Surface<dim>& surface : parts.interface.surfaces)
-    contact.merge(nodes_of<dim>(surface.facets));
-  const double reach = 1.5 * (expected.deepest + expected.scales.displacement) +
-                       (parts.pairs.empty() ? 0 : 2 * expected.facet);  // nodes are not opposite
+  if (parts.section() == Section::meridian) return {};
+  std::vector<CutPlane> planes =
+      cut_planes(parts, nodes_of_facets(facets_of(parts.interface.surfaces)));
+  keep_reached(parts, 1.5 * (expected.deepest + expected.scales.displacement), planes);
   std::vector<std::string> remarks;
-  for (const CutPlane<dim>& plane : cut_planes(parts, contact)) {
-    const double part = across(parts, plane);
-    if (part <= little || !(farther<dim>(parts, contact, plane.nodes) <= reach)) continue;
+  for (const CutPlane& plane : planes) {
+    double part = 0;
+    for (const int node : plane.nodes) part = std::max(part, across(parts, node, plane.axis));
+    if (part <= little) continue;
     const char axis = "xyz"[plane.axis];
     remarks.push_back(fmt::format(
-        "{} holds {} where the contact ends, at {} = {:.4g} mm, as a plane of symmetry does, but a "
-        "part of {:.2g} of the partner's motion or force is along {}: friction across a plane of "
-        "symmetry has no mirror image, model the whole body",
+        "{} holds {} where the contact ends, at {} = {:.4g} mm, and a part of {:.2g} of the "
+        "partner's motion or force is along {}: right for a stop, but if it stands for a plane of "
+        "symmetry, friction across it has no mirror image, and the whole body is needed",
         plane.support, axis, axis, plane.place, part, axis));
   }
   return remarks;

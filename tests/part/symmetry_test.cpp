@@ -67,5 +67,23 @@ TEST_F(HalfBlock, IsToldWhereFrictionActsAcrossThePlane) {
   EXPECT_THAT(remarks(across, 0.3, 5), Not(told));  // far from the contact
 }
 
+/// A quarter of a ball and a block that slides along x: its plane x = 0 is none of symmetry where
+/// friction acts, y = 0 is one.
+TEST(QuarterOfAPair, IsToldWhereFrictionActsAcrossThePlane) {
+  if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+  const auto remarks = [](const std::string& friction) {
+    return make_model(load_scene(shipped("ball_on_block.toml"),
+                                 {"mesh.factor=3.5", "pair.1.friction=" + friction}, key_table))
+        ->remarks;
+  };
+  const auto of = [](const char* axis) {
+    return Contains(HasSubstr(
+        std::string(" = 0 mm, and a part of 1 of the partner's motion or force is along ") + axis));
+  };
+  EXPECT_THAT(remarks("0.1"), of("x"));
+  EXPECT_THAT(remarks("0.1"), Not(of("y")));
+  EXPECT_THAT(remarks("0"), Not(of("x")));
+}
+
 }  // namespace
 }  // namespace gnomon::symmetry_test
