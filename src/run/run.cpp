@@ -88,8 +88,10 @@ private:
   }
 
   void start() {
-    const Interruptible here(hooks_.interrupted);
-    state() = model().start(counters_);
+    {
+      const Interruptible here(hooks_.interrupted);
+      state() = model().start(counters_);
+    }
     if (epochs_.replace_overdue(state())) {
       watch_model();
       hooks_.on_epoch(epochs_.successor());
