@@ -87,10 +87,16 @@ void Companions::add_mesh(const Scene& scene, const Goals& goals,
   });
 }
 
+namespace {
+
+/// The companion with half as many phases of a cycle. None where they would be so few that the
+/// error of their mean does not fall with their square, and none of another key.
 std::optional<Scene> half_of_phases(const Key& key, const Scene& scene) {
   if (key.controls->source != ErrorSource::phases || !key.controls->scaled(scene, 4)) return {};
   return key.controls->scaled(scene, 2);
 }
+
+}  // namespace
 
 void Companions::compare(BudgetPart& part, const Trial& base, const Key& key) {
   const Finer finer(part.source);

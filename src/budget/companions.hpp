@@ -27,10 +27,6 @@ struct OtherMesh {
 /// Those with larger elements first: runs on them cost less.
 std::vector<OtherMesh> other_meshes(const Scene& scene);
 
-/// The companion with half as many phases of a cycle. None where they would be so few that the
-/// error of their mean does not fall with their square, and none of another key.
-std::optional<Scene> half_of_phases(const Key& key, const Scene& scene);
-
 inline const std::string too_long = "it takes longer than is allowed after a run";
 
 class Companions {
