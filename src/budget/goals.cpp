@@ -189,7 +189,8 @@ std::vector<double> differences(const Goals& goals, const Goals& other) {
   const FieldDifferences fields = field_differences(goals, other);
   std::vector<double> result;
   for (const Scalar& scalar : goals.values) {
-    const bool unlike = scalar.name == "mean_pressure" && goals.by_ends != other.by_ends;
+    const bool unlike = (scalar.name == "mean_pressure" || scalar.name == "inner_pressure") &&
+                        goals.by_ends != other.by_ends;
     const double difference =
         unlike                     ? not_known
         : scalar.name == "profile" ? fields.profile

@@ -72,7 +72,8 @@ Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
 template <int dim>
 Vector<dim> across_contact(const Assembly<dim>& assembly, const std::vector<char>& counts,
                            const std::vector<PhaseContact<dim>>& phases) {
-  constexpr double along = 0.966, away = 0.7;  // cosine of 15 degrees; else contact is all around
+  constexpr double along = 0.966;   // cosine of 15 degrees
+  constexpr double one_side = 0.7;  // of the area; of half a circle 0.64
   const Vector<dim>& approach = assembly.pairs.empty() ? assembly.interface.partner.approach
                                                        : assembly.pairs.front().approach;
   Vector<dim> sum = Vector<dim>::Zero();
@@ -85,7 +86,7 @@ Vector<dim> across_contact(const Assembly<dim>& assembly, const std::vector<char
     area += patch.initial_area;
   }
   for (int i = 0; i < dim; ++i) sum[i] = sum_over_processes(sum[i]);
-  const bool inclined = sum.norm() > away * sum_over_processes(area) &&
+  const bool inclined = sum.norm() > one_side * sum_over_processes(area) &&
                         std::abs(sum.dot(approach)) < along * sum.norm();
   return inclined ? Vector<dim>(sum.normalized()) : approach;
 }
