@@ -99,9 +99,9 @@ double slides_across(const Interface<dim>& interface, const Phase<dim>& phase,
       part_along<dim>(other.motion.at(x) - interface.streaming, axis, other.motion.across_at(x));
   if (interface.sticks)
     most = std::max(most, part_along<dim>(other.position - first.counter_body.position, axis));
-  for (const Guide<dim>& guide : other.guides)
-    if (guide.force && *guide.force != 0 && guide.share == 0)
-      most = std::max(most, std::abs(guide.along[axis]));
+  for (std::size_t k = 1; k < other.guides.size(); ++k)
+    if (other.guides[k].force.value_or(0) != 0)
+      most = std::max(most, std::abs(other.guides[k].along[axis]));
   return most;
 }
 

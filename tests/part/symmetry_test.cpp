@@ -40,7 +40,9 @@ shape = "cylinder"
 radius = 20.0
 center = [{}, 24.0]
 motion = {{ {} }}
-press = {{ direction = [0.0, -1.0], force = 50.0 }}
+[[counter_body.press]]
+direction = [0.0, -1.0]
+force = 50.0
 [friction]
 coefficient = {}
 [wear]
@@ -62,6 +64,8 @@ const auto told = Contains(HasSubstr("support_2 holds x where the contact ends, 
 TEST_F(HalfBlock, IsToldWhereFrictionActsAcrossThePlane) {
   const std::string across = "velocity = [10.0, 0.0]", out = "velocity = [0.0, 0.0, 10.0]";
   EXPECT_THAT(remarks(across), told);
+  EXPECT_THAT(remarks(out, 0.3, 0, "[[counter_body.press]]\ndirection = [1.0, 0.0]\nforce = 5.0\n"),
+              told);
   EXPECT_THAT(remarks(across, 0), Not(told));       // pressures are alike on both sides
   EXPECT_THAT(remarks(out), Not(told));             // nothing acts across
   EXPECT_THAT(remarks(across, 0.3, 5), Not(told));  // far from the contact
