@@ -109,7 +109,7 @@ std::size_t touching_bodies(const Goals& goals) {
 bool is_one_line(const Goals& goals, const std::vector<std::vector<std::size_t>>& neighbours) {
   constexpr double straight = 0.98;  // cosine
   const auto at = [&](std::size_t i) {
-    return Eigen::Vector3d::Map(goals.surface.initial[i].data());
+    return Eigen::Vector3d::Map(goals.surface.current[i].data());
   };
   const auto patches = budget::patches_of(goals.surface, neighbours);
   if (patches.size() > std::max<std::size_t>(1, touching_bodies(goals))) return false;

@@ -25,6 +25,19 @@ TEST(Goals, OfABoreHaveTheMeanPressureAlongIt) {
   EXPECT_LT(mean, 0.9 * of(observed, "max_pressure"));
 }
 
+/// A round pin that has worn flat: the distance of the ends, which lie between nodes.
+TEST(Goals, OfASurfaceThatHasWornFlatHaveTheMeanOverItsEnds) {
+  const auto model = model_of("pin_on_flat/small_deformation.toml", {"mesh.elements=[16,8]"});
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-2, 1000);
+  const Observation observed = model->observe(run.last());
+  const auto goals = goals_of(*model, run.last(), observed);
+  EXPECT_TRUE(goals->by_ends);
+  EXPECT_NEAR(
+      *value_of(goals->values, "mean_pressure"),
+      *value_of(observed, "contact_force") / (2 * *value_of(observed, "contact_half_width")),
+      1e-12);
+}
+
 /// A mean over the ends and one over the area are not compared.
 TEST(Goals, OfUnlikeMeansHaveNoDifference) {
   Goals one{.values = {{"mean_pressure", "MPa", 1}}, .surface = {}}, other = one;
