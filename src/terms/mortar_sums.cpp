@@ -168,8 +168,7 @@ void MortarTerm<dim>::find_wear(const Evaluation<dim>& at, const Side& side,
 }
 
 template <int dim>
-const typename MortarTerm<dim>::Surfaces& MortarTerm<dim>::geometry(
-    const Evaluation<dim>& at) const {
+typename MortarTerm<dim>::Surfaces MortarTerm<dim>::geometry(const Evaluation<dim>& at) const {
   const NodalField<dim>&u = at.values.vector(state_.u), &d = at.values.vector(state_.d);
   if (geometry_ && geometry_->u == u && geometry_->d == d) return geometry_->surfaces;
   Surfaces result;
@@ -265,7 +264,7 @@ template std::pair<FacetPair<2>, std::vector<FacetNodal<2>>> MortarTerm<2>::plac
     const SlaveFacet&, const Evaluation<2>&, const Surfaces&) const;
 template double MortarTerm<2>::depth(const Evaluation<2>&, const Side&) const;
 template WearMoment MortarTerm<2>::moment(const Evaluation<2>&, const Side&) const;
-template const MortarTerm<2>::Surfaces& MortarTerm<2>::geometry(const Evaluation<2>&) const;
+template MortarTerm<2>::Surfaces MortarTerm<2>::geometry(const Evaluation<2>&) const;
 template MortarTerm<2>::Surfaces MortarTerm<2>::surfaces(const Evaluation<2>&) const;
 template void MortarTerm<2>::switching(const Evaluation<2>&, std::span<double>) const;
 template std::vector<ContactNode<2>> MortarTerm<2>::nodes(const Evaluation<2>&) const;
@@ -274,7 +273,7 @@ template std::pair<FacetPair<3>, std::vector<FacetNodal<3>>> MortarTerm<3>::plac
     const SlaveFacet&, const Evaluation<3>&, const Surfaces&) const;
 template double MortarTerm<3>::depth(const Evaluation<3>&, const Side&) const;
 template WearMoment MortarTerm<3>::moment(const Evaluation<3>&, const Side&) const;
-template const MortarTerm<3>::Surfaces& MortarTerm<3>::geometry(const Evaluation<3>&) const;
+template MortarTerm<3>::Surfaces MortarTerm<3>::geometry(const Evaluation<3>&) const;
 template MortarTerm<3>::Surfaces MortarTerm<3>::surfaces(const Evaluation<3>&) const;
 template void MortarTerm<3>::switching(const Evaluation<3>&, std::span<double>) const;
 template std::vector<ContactNode<3>> MortarTerm<3>::nodes(const Evaluation<3>&) const;

@@ -172,7 +172,7 @@ private:
   Surfaces surfaces(const Evaluation<dim>& at) const;
   /// Without tractions and wear; kept until it is asked for at another state, so that a term is not
   /// for several threads at once.
-  const Surfaces& geometry(const Evaluation<dim>& at) const;
+  Surfaces geometry(const Evaluation<dim>& at) const;
   /// Of a facet, and current ones of its candidates.
   std::pair<FacetPair<dim>, std::vector<FacetNodal<dim>>> places_of(const SlaveFacet& facet,
                                                                     const Evaluation<dim>& at,
