@@ -128,7 +128,7 @@ def axes_of(plane_key):
 
 # Where the scene has a cycle, its cycles count the time.
 assert result_of("[time]\nend = 3.0  # [s]\n").clock.text(100.0) == "100 s"
-# Digits are enough for `gnomon contact --time`, which wants a time that rounds to the number.
+# Digits are enough for `gnomon contact --time`, which takes a time that rounds to the number.
 assert result_of("[time]\nend = 3.0  # [s]\n").clock.text(11618.9986) == "11619 s"
 counted = result_of("[time]\nend = 3.0\n\n[cycle]\nperiod = 2.5e-1  # [s] duration\n").clock
 assert counted.text(100.0) == "400 cycles"
