@@ -1,5 +1,4 @@
 #include <metis.h>
-#include <signal.h>
 #include <umfpack.h>
 
 #include <algorithm>
@@ -69,30 +68,6 @@ SparsePattern pad_groups(const SparsePattern& pattern, std::vector<int> group) {
   return builder.build();
 }
 
-/// METIS handles SIGTERM as an error of its own, and afterwards leaves the program's handler in
-/// place for one signal only. So the signal waits until METIS has ended and the handler is
-/// restored.
-class TerminationWaits {
-public:
-  TerminationWaits() {
-    sigset_t termination;
-    sigemptyset(&termination);
-    sigaddset(&termination, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &termination, &mask_);
-    sigaction(SIGTERM, nullptr, &handler_);
-  }
-  ~TerminationWaits() {
-    sigaction(SIGTERM, &handler_, nullptr);
-    pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
-  }
-  TerminationWaits(const TerminationWaits&) = delete;
-  TerminationWaits& operator=(const TerminationWaits&) = delete;
-
-private:
-  sigset_t mask_;
-  struct sigaction handler_;
-};
-
 }  // namespace
 
 std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vector<int>& group) {
@@ -109,9 +84,11 @@ std::vector<int> nested_dissection(const SparsePattern& pattern, const std::vect
     // It draws from the random numbers of the C library, which all threads of a program share.
     static std::mutex one_at_a_time;
     const std::scoped_lock alone(one_at_a_time);
-    const TerminationWaits waits;
-    if (METIS_NodeND(&groups, graph.start.data(), graph.neighbour.data(), nullptr, options,
-                     order.data(), position.data()) != METIS_OK)
+    // Not METIS_NodeND: its handler of SIGTERM jumps into METIS from whatever thread gets the
+    // signal.
+    idx_t size_of_the_one_part = 0;
+    if (METIS_NodeNDP(groups, graph.start.data(), graph.neighbour.data(), nullptr, 1, options,
+                      order.data(), position.data(), &size_of_the_one_part) != METIS_OK)
       throw Error("METIS could not order the unknowns");
   }
   std::vector<int> result(compact.size());

@@ -98,7 +98,12 @@ bool is_symmetric(const Eigen::SparseMatrix<double>& K) {
 void prepare(Eigen::UmfPackLU<Eigen::SparseMatrix<double>>& factors) {
   factors.umfpackControl()[UMFPACK_IRSTEP] = 0;
 }
-void prepare(Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>&) {}
+/// By default CHOLMOD may ask METIS for the whole order, whose handler of SIGTERM jumps out of
+/// whatever thread gets the signal; here it asks for separators only.
+void prepare(Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>& factors) {
+  factors.cholmod().nmethods = 1;
+  factors.cholmod().method[0].ordering = CHOLMOD_NESDIS;
+}
 
 template <class Factors>
 std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)> solver_of(

@@ -93,7 +93,8 @@ extern "C" void count_termination(int) {
   terminations = terminations + 1;
 }
 
-// Whoever ends a run expects its checkpoint, not an error of METIS, which has a handler of its own.
+// Whoever ends a run expects its checkpoint, not an error of METIS, whose METIS_NodeND has a
+// handler of its own.
 TEST(NestedDissection, LeavesSignalsToTheProgram) {
   const Chain chain(1000, 1);
   const auto before = std::signal(SIGTERM, count_termination);
@@ -102,6 +103,7 @@ TEST(NestedDissection, LeavesSignalsToTheProgram) {
   std::thread sender([&done, target = pthread_self()] {
     while (!done) {
       pthread_kill(target, SIGTERM);
+      std::raise(SIGTERM);  // in this thread, where a jump into METIS would be fatal
       std::this_thread::sleep_for(std::chrono::microseconds(50));
     }
   });
