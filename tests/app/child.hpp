@@ -87,6 +87,25 @@ protected:
     return finish(start(arguments));
   }
 
+  /// Waits until a child catches this signal: by the mask of its status, because how long a program
+  /// takes to begin depends on the machine. False if it ends before.
+  static bool catches(pid_t child, int signal) {
+    const std::string status = "/proc/" + std::to_string(child) + "/status", key = "SigCgt:";
+    const auto runs = [&] {
+      siginfo_t end{};
+      return waitid(P_PID, static_cast<id_t>(child), &end, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+             end.si_pid == 0;
+    };
+    for (; runs(); usleep(1000)) {
+      const std::string text = read_text(status);
+      const std::size_t at = text.find(key);
+      if (at != std::string::npos &&
+          (std::stoull(text.substr(at + key.size()), nullptr, 16) >> (signal - 1) & 1) != 0)
+        return true;
+    }
+    return false;
+  }
+
 private:
   static void redirect(const std::filesystem::path& file, int descriptor) {
     const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);

@@ -407,7 +407,7 @@ TEST_P(Signals, EndTheRunAfterTheStepWithAReadableResult) {
 TEST_P(Signals, EndAPlanAsARun) {
   const pid_t child =
       start({"plan", pin, "--set", "accuracy.within=0.001", "--set", "time.end=1e5"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ASSERT_TRUE(catches(child, GetParam()));
   kill(child, GetParam());
   const Outcome outcome = finish(child);
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
