@@ -14,14 +14,22 @@ SolutionError at_limit(double t, const Limit& limit) {
   return SolutionError(fmt::format("from t = {:.6g} s on {}", t, limit.reason));
 }
 
+IntegratorSettings BoundedSteps::settings() const {
+  IntegratorSettings settings = settings_;
+  std::vector<double>& settled = settings.settled;
+  if (early_end_ < never && !settled.empty())
+    settled.insert(std::ranges::lower_bound(settled, early_end_), early_end_);
+  return settings;
+}
+
 void BoundedSteps::begin() {
-  stepper_ = integrator_.make(model().system(), settings_, counters_);
+  stepper_ = integrator_.make(model().system(), settings(), counters_);
   if (counters_.steps > 0) stepper_->restore(state(), memory_.stepper);
 }
 
 bool BoundedSteps::follow(bool same_unknowns) {
   if (!stepper_) return true;  // at the start
-  auto next = integrator_.make(model().system(), settings_, counters_);
+  auto next = integrator_.make(model().system(), settings(), counters_);
   const bool goes_on = next->follow(*stepper_, state(), same_unknowns);
   stepper_ = std::move(next);
   return goes_on;

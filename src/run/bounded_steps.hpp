@@ -56,6 +56,8 @@ public:
   Observation observe(const StepReport& report) const;
 
 private:
+  /// Pressures settle at an early end as at that of the run.
+  IntegratorSettings settings() const;
   void repeat(BoundedStep& step, double end);
   void repeat_half(BoundedStep& step) {
     repeat(step, step.before.t + (state().t - step.before.t) / 2);
