@@ -196,8 +196,11 @@ typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<di
   for (std::size_t s = 0; s < sides_.size(); ++s)
     if (sides_[s].slave) find_traction(at, sides_[s], result.sides[s]);
   add_masters(result);
+  constexpr double rounding = 1e-12;  // of sums over facets, at the edge of contact
+  double largest = 0;
+  for (const SideState& state : result.sides) largest = std::max(largest, state.load);
   for (std::size_t s = 0; s < sides_.size(); ++s) {
-    if (!sides_[s].slave) result.sides[s].active = result.sides[s].load > 0;
+    if (!sides_[s].slave) result.sides[s].active = result.sides[s].load > rounding * largest;
     find_wear(at, sides_[s], result.sides[s]);
   }
   return result;
