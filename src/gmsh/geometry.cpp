@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "gmsh/folded_cells.hpp"
 #include "gmsh/model_mesh.hpp"
 
 namespace gnomon::gmsh_reader {
@@ -127,6 +128,22 @@ void check_number_of_cells(int dimension, double size) {
   throw Refusal(text.str());
 }
 
+/// Cells that are subdivided may fold by chance where the geometry is curved: those of a slightly
+/// smaller size do not.
+void generate_unfolded(int dimension, double factor, std::vector<std::string>& remarks) {
+  for (const double part : {1.0, 0.97, 0.94, 0.91, 0.88}) {
+    gmsh::model::mesh::clear();
+    set("Mesh.MeshSizeFactor", part * factor);
+    gmsh::model::mesh::generate(dimension);
+    if (has_folded_cells(dimension)) continue;
+    if (part == 1) return;
+    std::ostringstream text;
+    text << "a cell of the size asked for is folded, so the mesh is one of " << part
+         << " times the size";
+    return remarks.push_back(text.str());
+  }
+}
+
 }  // namespace
 
 void ask_for_factor(double factor) {
@@ -193,11 +210,9 @@ void mesh_geometry(double size, double factor, bool has_options,
   }
   gmsh::model::mesh::generate(dimension);
   if (is_of_bricks(dimension)) return;
-  gmsh::model::mesh::clear();
-  set("Mesh.MeshSizeFactor", 2 * own_factor);
   // Gmsh's own subdivision has its new nodes on the true geometry.
   set("Mesh.SubdivisionAlgorithm", dimension == 2 ? 1 : 2);
-  gmsh::model::mesh::generate(dimension);
+  generate_unfolded(dimension, 2 * own_factor, remarks);
   remarks.push_back(dimension == 2
                         ? "not all triangles could be paired, so the mesh is one of twice the "
                           "size with each cell subdivided into quadrilaterals"

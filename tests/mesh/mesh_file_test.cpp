@@ -234,6 +234,21 @@ TEST_F(MeshFile, OfAStepFileHasItsNodesOnTheTrueSurface) {
   EXPECT_LT(before, 2e-3);
 }
 
+TEST_F(MeshFile, OfFoldedCellsIsMadeAgainALittleFiner) {
+  const fs::path file = put("foot.geo", R"(
+SetFactory("OpenCASCADE");
+Box(1) = {-4, -3, 2, 8, 6, 6}; Cylinder(2) = {0, 0, -1, 0, 0, 3.5, 3}; Sphere(3) = {0, 0, 10, 10};
+BooleanIntersection(4) = { Volume{2}; Delete; }{ Volume{3}; Delete; };
+BooleanUnion(5) = { Volume{1}; Delete; }{ Volume{4}; Delete; };
+Mesh.MeshSizeFromCurvature = 24;
+)");
+  for (const double factor : {2.0, 2.2}) {
+    EXPECT_EQ(refusal(file, {.size = 2, .factor = factor}), "accepted") << factor;
+    EXPECT_THAT(read_mesh_file(file, {.size = 2, .factor = factor}).remarks,
+                ::testing::Contains(HasSubstr("is folded")));
+  }
+}
+
 TEST_F(MeshFile, WithoutNamedSurfacesNamesThemByTheirNumbers) {
   ImportedMesh mesh = square(2);
   mesh.groups.clear();
