@@ -100,7 +100,8 @@ Nodes inside_of(const ContactSurface& surface, const Nodes& patch) {
   std::ranges::copy_if(patch, std::back_inserter(inside), [&](std::size_t i) {
     return radius(i) <= inner_part * edge * (1 + rounding);
   });
-  return inside;
+  // On an arc between two planes of symmetry no node is nearer to the axis than another.
+  return inside.empty() ? patch : inside;
 }
 
 }  // namespace

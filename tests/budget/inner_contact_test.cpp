@@ -107,6 +107,19 @@ TEST(InnerContact, OfARingWithoutEndsIsAllOfIt) {
   EXPECT_GT(ring.inner().size(), count / 4);
 }
 
+TEST(InnerContact, OfAQuarterOfARingIsAllOfIt) {
+  constexpr std::size_t count = 13;
+  Line quarter(ones(count));
+  quarter.surface.dim = 2;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = M_PI / 2 * static_cast<double>(i) / (count - 1), x = std::cos(angle),
+                 y = i + 1 < count ? std::sin(angle) : 1;
+    quarter.surface.initial[i] = {i + 1 < count ? x : 0, y, 0};
+    quarter.surface.current[i] = {1.01 * quarter.surface.initial[i][0], 1.01 * y, 0};
+  }
+  EXPECT_EQ(quarter.inner(), range(0, count));
+}
+
 TEST(InnerContact, OfOneNodeIsThatNode) {
   EXPECT_EQ(Line({0, 1, 0}).inner(), range(1, 2));
   EXPECT_TRUE(Line({0, 0, 0}).inner().empty());
