@@ -97,7 +97,7 @@ void respect_area(const Goals& goals, std::vector<double>& errors) {
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (std::isnan(errors[i])) continue;
     const std::string& name = goals.values[i].name;
-    if (name == "contact_area" || name == "mean_pressure")
+    if (name == "contact_area" || name == "contact_half_width" || name == "mean_pressure")
       errors[i] = std::max(std::abs(errors[i]), goals.area);
     if (name == "max_pressure") errors[i] = std::max(std::abs(errors[i]), goals.peak_at_edge);
     if (name == "inner_pressure") errors[i] = std::abs(errors[i]) + goals.pressure_open;

@@ -163,7 +163,7 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   goals.by_ends = in_plane && is_one_line(goals, neighbours);
   const double size = goals.by_ends ? 2 * *half_width : area ? area->value : 0;
   if (const auto bound = value_of(observed, "contact_area_error");
-      bound && !goals.by_ends && size > 0)
+      bound && size > 0 && (!goals.by_ends || !goals.surface.phase_weight.empty()))
     goals.area = (goals.surface.dim == 2 ? 0.5 : 0.25) * *bound / size;
   if (goals.by_ends) add_edge_pressure(size, observed, goals);
   if (const auto force = value_of(observed, "contact_force")) {

@@ -21,8 +21,9 @@ struct Goals {
   long nodes = 0;       ///< of the mesh; without one, unknowns
   double ledger = 0;    ///< |wear_difference| as a part of worn_volume
   double nonzeros = 0;  ///< of its Jacobian
-  /// Of bodies of revolution and in space: what the last closed nodes leave open of contact_area,
-  /// as a part of it. A half and a quarter of contact_area_error, which is a bound.
+  /// What the last closed nodes leave open of contact_area, as a part of it: half of
+  /// contact_area_error, which is a bound, in space a quarter. None in plane strain without a
+  /// cycle, where the ends of contact are found between nodes.
   double area = 0;
   /// In plane strain, where pressure reaches to the edges: nodal pressures times this are those
   /// over the distance of the ends of contact, in the place of the whole shares of the last closed
