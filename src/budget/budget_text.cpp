@@ -91,14 +91,25 @@ std::string budget_text(const Budget& budget) {
   return text;
 }
 
+namespace {
+
+/// More than what is known of it, where a part is not.
+std::string expected_text(const PlanLine& line) {
+  double known = 0;
+  for (const double part : {line.mesh, line.time, line.rest}) known += std::isnan(part) ? 0 : part;
+  return (std::isnan(line.error()) ? "> " : "") + percent(known);
+}
+
+}  // namespace
+
 std::string plan_text(const Plan& plan) {
   std::string text = fmt::format("{:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8}  settings\n", "asked",
                                  "expected", "mesh", "time", "rest", "CPU [s]");
   for (const PlanLine& line : plan.lines)
     text += fmt::format("{:>8}  {:>8}  {:>8}  {:>8}  {:>8}  {:>8.2g}  {}{}\n", percent(line.within),
-                        percent(line.error()), percent(line.mesh), percent(line.time),
+                        expected_text(line), percent(line.mesh), percent(line.time),
                         percent(line.rest), line.cpu_seconds, line.settings,
-                        line.meets() ? "" : " (not reached)");
+                        line.error() > line.within ? " (not reached)" : "");
   for (const std::string& remark : plan.remarks) text += remark + "\n";
   return text + fmt::format("pilot runs took {:.2g} s of CPU\n", plan.pilot_seconds);
 }

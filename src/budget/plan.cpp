@@ -33,8 +33,10 @@ public:
     const bool fewer_phases = takes_fewer_phases();
     for (const Key& key : asked_.controlling_keys())
       if (key.controls->source == ErrorSource::model) try_simpler(key);
-    if (!attempt("mesh", [&] { measure_mesh(); })) trade_.free_mesh = false;
-    if (!attempt("time", [&] { measure_time(); })) trade_.free_time = false;
+    knows_mesh_ = attempt("mesh", [&] { measure_mesh(); });
+    trade_.free_mesh &= knows_mesh_;
+    knows_time_ = attempt("time", [&] { measure_time(); });
+    trade_.free_time &= knows_time_;
     if (!fewer_phases) attempt("phases", [&] { measure_phases(); });
     Plan plan{.scene = settings_for(choice_for(within_), within_),
               .lines = {},
@@ -254,6 +256,8 @@ private:
     const Choice choice = choice_for(within);
     PlanLine line = predicted(choice.trade, cheapest(choice.trade, within));
     line.within = within;
+    if (!knows_mesh_) line.mesh = not_known;
+    if (!knows_time_) line.time = not_known;
     line.settings = change_text(asked_.without("accuracy.of"), settings_for(choice, within));
     return line;
   }
@@ -286,6 +290,7 @@ private:
   std::optional<Trial> coarse_{};
   std::vector<std::size_t> places_;
   Trade trade_;
+  bool knows_mesh_ = false, knows_time_ = false;
   std::vector<BudgetPart> known_;
   Choices choices_;
 };

@@ -164,13 +164,15 @@ std::string accuracy_text(const Scene& asked, const Budget& shown) {
   std::string reached = fmt::format("{:.2g} %", 100 * error);
   if (error > within && reached == fmt::format("{:.2g} %", 100 * within))
     reached = "a little more than " + reached;
+  if (!without.empty()) reached = "more than " + reached;
   if (part != shown.parts.end() && part->unknown.empty() && std::isnan(part->errors[worst]))
     reached = "not known";
-  return fmt::format(
-      "asked for {:.2g} % in {}: {}, that of {}, mostly by {}{}{}", 100 * within,
-      fmt::join(asked.texts("accuracy.of"), ", "), reached, shown.values[worst].name,
-      part == shown.parts.end() ? "nothing" : part->key, without,
-      error > within ? "; this is NOT within it (gnomon plan shows what it takes)" : "");
+  return fmt::format("asked for {:.2g} % in {}: {}, that of {}, mostly by {}{}{}", 100 * within,
+                     fmt::join(asked.texts("accuracy.of"), ", "), reached, shown.values[worst].name,
+                     part == shown.parts.end() ? "nothing" : part->key, without,
+                     error > within ? "; this is NOT within it (gnomon plan shows what it takes)"
+                     : !without.empty() ? "; whether this is within it is not known"
+                                        : "");
 }
 
 std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Scene& settings,

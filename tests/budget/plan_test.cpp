@@ -218,6 +218,21 @@ TEST(Plan, RefusesWhatItCannotJudge) {
           HasSubstr("expected values that are not zero in this scene, got depth")));
 }
 
+TEST(Plan, DoesNotPromiseWhatNoPilotTells) {
+  const Scene asked = scene({"accuracy.within=0.01", "accuracy.of=[\"depth\"]"});
+  const PlanLine line{.within = 0.01, .settings = "", .mesh = not_known, .time = 0.002, .rest = 0};
+  const Plan made{.scene = asked, .lines = {line}, .known = {}, .remarks = {}};
+  EXPECT_THAT(plan_text(made), HasSubstr("> 0.2 %         ?     0.2 %"));
+  const Budget budget{
+      .values = {{"wear_depth", "mm", 1}},
+      .parts = {{.source = ErrorSource::mesh, .key = "mesh.file", .errors = {not_known}},
+                {.source = ErrorSource::time, .key = "integrator.rtol", .errors = {0.002}}}};
+  Budget unknown = budget;
+  unknown.parts[0].unknown = "no other";
+  EXPECT_THAT(accuracy_text(asked, unknown), HasSubstr("more than 0.2 %"));
+  EXPECT_THAT(accuracy_text(asked, unknown), HasSubstr("whether this is within it is not known"));
+}
+
 TEST(Plan, IsRefinedWhereItsRunShowsMore) {
   const Scene asked =
       scene({"accuracy.within=0.01", "accuracy.of=[\"depth\"]", "mesh.elements=[40,20]"});

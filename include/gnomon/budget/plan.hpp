@@ -12,13 +12,12 @@ namespace gnomon {
 struct PlanLine {
   double within = 0;     ///< error that may be, relative
   std::string settings;  ///< "mesh.factor = 0.5, integrator.rtol = 0.001"
-  /// Relative errors, the largest of the wanted values.
+  /// Relative errors, the largest of the wanted values. NaN where no pilot run tells.
   double mesh = 0, time = 0;
   double rest = 0;  ///< of models, phases and a mesh that is given
   double cpu_seconds = 0;
 
   double error() const { return mesh + time + rest; }
-  bool meets() const { return error() <= within; }
 };
 
 struct Plan {
