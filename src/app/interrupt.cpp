@@ -14,7 +14,6 @@ volatile std::sig_atomic_t announced = 0;
 extern "C" void on_signal(int) {
   signalled = 1;
   std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, on_signal);  // METIS, which saves and restores it, leaves it for one signal
   if (!announced) return;
   static const char text[] = "\ngnomon: ending at the last step (or the start); Ctrl-C kills now\n";
   // Nothing can be done about a failure, and nothing else is safe here.
