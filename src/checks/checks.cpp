@@ -69,9 +69,12 @@ std::vector<std::string> doubts(const Examination& facts) {
         facts.moved_axis->part > 0 ? "fast" : "slowly"));
   if (facts.unseen_sliding && facts.unseen_sliding->part > displaced)
     found.push_back(fmt::format(
-        "\"{}\" moves over the cycle beside what [[motion]] says: about {:.2g} % of the sliding "
-        "speed, which wear leaves out",
-        facts.unseen_sliding->body, 100 * facts.unseen_sliding->part));
+        "{} over the cycle beside what {} says, with about {:.2g} % of the sliding speed, which "
+        "wear leaves out",
+        facts.unseen_sliding->body.empty() ? "bodies follow each other"
+                                           : '"' + facts.unseen_sliding->body + "\" moves",
+        facts.unseen_sliding->body.empty() ? "[cycle]" : "[[motion]]",
+        100 * facts.unseen_sliding->part));
   if (facts.body_turn && facts.body_turn->angle > turned)
     found.push_back(fmt::format(
         "{} turns by {:.2g} rad, which small strains take for a strain of about {:.2g}, and forces "

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <type_traits>
 
 #include "mesh/facet_table.hpp"
 
@@ -82,17 +83,25 @@ std::optional<MovedAxis> find_moved_axis(const WornBodyEquations<dim>& equations
 
 namespace {
 
-/// The change of a displacement with time in a phase, by those before and after it.
-template <int dim>
-NodalField<dim> rate_in_phase(const WornBodyEquations<dim>& equations,
-                              const FieldValues<dim>& values, std::size_t p) {
+/// The change with time in a phase of a field of each, by those before and after it.
+template <int dim, class FieldOf>
+auto rate_in_phase(const WornBodyEquations<dim>& equations, const FieldOf& field, std::size_t p) {
   const std::vector<Phase<dim>>& phases = equations.phases();
   const std::size_t count = phases.size(), before = (p + count - 1) % count,
                     after = (p + 1) % count;
   double part = phases[after].position - phases[before].position;
   if (part <= 0) part += 1;
-  return (values.vector(equations.fields(after).u) - values.vector(equations.fields(before).u)) /
-         (part * equations.assembly().cycle->motion.cycle.period);
+  const double time = part * equations.assembly().cycle->motion.cycle.period;
+  using Field = std::decay_t<decltype(field(equations.fields(p)))>;
+  return Field((field(equations.fields(after)) - field(equations.fields(before))) / time);
+}
+
+template <int dim>
+NodalField<dim> rate_of_displacement(const WornBodyEquations<dim>& equations,
+                                     const FieldValues<dim>& values, std::size_t p) {
+  return rate_in_phase(
+      equations,
+      [&](const WornBodyFields& fields) -> NodalField<dim> { return values.vector(fields.u); }, p);
 }
 
 /// Without the part along the mean normal of the contact, by its forces.
@@ -111,6 +120,56 @@ Vector<dim> tangential(const Vector<dim>& v, const Assembly<dim>& assembly,
 
 }  // namespace
 
+namespace {
+
+/// How fast the free guides of the counter-body move it in a phase, but for turns.
+template <int dim>
+Vector<dim> following(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
+                      std::size_t p) {
+  Vector<dim> velocity = Vector<dim>::Zero();
+  if (equations.fields(p).w == FieldId::none) return velocity;
+  const Eigen::VectorXd rate = rate_in_phase(
+      equations,
+      [&](const WornBodyFields& fields) -> Eigen::VectorXd { return values.scalar(fields.w); }, p);
+  const std::vector<Guide<dim>>& guides = equations.phases()[p].counter_body.guides;
+  for (std::size_t k = 0; k < guides.size(); ++k)
+    velocity += guides[k].travelled(rate[static_cast<Eigen::Index>(k)]);
+  return velocity;
+}
+
+/// Of a counter-body, or a body, that follows the other one on inclined contact.
+template <int dim>
+std::optional<UnseenSliding> unseen_beside_partner(const WornBodyEquations<dim>& equations,
+                                                   const FieldValues<dim>& values,
+                                                   const std::vector<PhaseContact<dim>>& contacts) {
+  const Assembly<dim>& assembly = equations.assembly();
+  double unseen = 0, sliding = 0;
+  for (std::size_t p = 0; p < contacts.size(); ++p) {
+    const RigidMotion<dim>& motion = equations.phases()[p].counter_body.motion;
+    const Vector<dim> follows = following(equations, values, p);
+    const NodalField<dim> rate = rate_of_displacement(equations, values, p),
+                          d = values.vector(equations.fields(p).d),
+                          u = values.vector(equations.fields(p).u);
+    for (std::size_t c = 0; c < contacts[p].nodes.size(); ++c) {
+      const ContactNode<dim>& node = contacts[p].nodes[c];
+      const int at = assembly.contact_nodes[c].node;
+      const double force = contacts[p].weight * node.area * std::max(0.0, -node.traction);
+      if (!(force > 0)) continue;
+      const Vector<dim> x = assembly.mesh.nodes[static_cast<std::size_t>(at)] +
+                            Vector<dim>(d.row(at) + u.row(at)),
+                        along = motion.at(x), v = along - along.dot(node.normal) * node.normal,
+                        missing = follows - Vector<dim>(rate.row(at));
+      const double speed = std::hypot(v.norm(), motion.across_at(x));
+      sliding += force * speed;
+      if (speed > 0) unseen += force * std::abs(missing.dot(v)) / speed;
+    }
+  }
+  if (!(sliding > 0)) return {};
+  return UnseenSliding{.body = {}, .part = unseen / sliding};
+}
+
+}  // namespace
+
 template <int dim>
 std::optional<UnseenSliding> find_unseen_sliding(const WornBodyEquations<dim>& equations,
                                                  const FieldValues<dim>& values,
@@ -118,13 +177,14 @@ std::optional<UnseenSliding> find_unseen_sliding(const WornBodyEquations<dim>& e
   constexpr std::size_t least_phases = 4;
   const Assembly<dim>& assembly = equations.assembly();
   if (!assembly.cycle || assembly.interface.sticks || contacts.size() < least_phases) return {};
+  if (assembly.pairs.empty()) return unseen_beside_partner(equations, values, contacts);
   std::optional<UnseenSliding> most;
   for (const MortarPair<dim>& pair : assembly.pairs) {
     double unseen = 0, sliding = 0;
     std::array<double, 2> own{};  // of each side
     for (std::size_t p = 0; p < contacts.size(); ++p) {
       const PairPlaces<dim> places(pair, equations.phases()[p].places);
-      const NodalField<dim> rate = rate_in_phase(equations, values, p);
+      const NodalField<dim> rate = rate_of_displacement(equations, values, p);
       const auto mean_of = [&](std::size_t side) {
         return MeanOfSide<dim>(assembly, nodes_of_facets(side == 0 ? pair.slave : pair.master),
                                places.of[side], values.vector(equations.fields(p).d),

@@ -51,7 +51,7 @@ struct MovedAxis {
 /// Over a cycle: sliding by the places of bodies leaves out how contact, loads and friction move
 /// them on from phase to phase, as it turns a rocker.
 struct UnseenSliding {
-  std::string body;  ///< its name
+  std::string body;  ///< its name; empty: the counter-body, or the body that it slides on
   double part = 0;   ///< of the sliding speed: mean of the sizes
 };
 
