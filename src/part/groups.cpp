@@ -7,6 +7,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/contact_patch.hpp>
 #include <gnomon/model/wear_scene.hpp>
+#include <gnomon/scene/toml_key.hpp>
 #include <map>
 #include <set>
 
@@ -90,6 +91,12 @@ void find_conflicts(const Scene& scene, Mistakes& mistakes) {
     if (contains(held, name))
       mistakes.add(fmt::format("{}: expected groups that are not held, but \"{}\" is in shape.hold",
                                scene.where("shape.slide"), name));
+  const auto has_own = [&](const std::string& name) {
+    return scene.given("wear.surfaces." + toml_key(name) + ".coefficient");
+  };
+  if (scene.given("wear.coefficient") && !wearing.empty() && std::ranges::all_of(wearing, has_own))
+    mistakes.add(scene.where("wear.coefficient") +
+                 ": expected none, for each surface of wear.on has its own");
 }
 
 std::vector<std::string> remarks_on_loads(const Scene& scene) {

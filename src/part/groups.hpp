@@ -30,7 +30,7 @@ template <int dim>
 void find_unknown_groups(const Scene& scene, const ImportedBody<dim>& part, Mistakes& mistakes);
 
 /// Adds what needs no mesh: groups named twice in a list, wearing groups whose shape is held,
-/// groups whose shape is to be held and to slide.
+/// groups whose shape is to be held and to slide, a coefficient of wear that no surface reads.
 void find_conflicts(const Scene& scene, Mistakes& mistakes);
 
 /// Remarks where several loads act on one group, for they add up, and where a load acts on a

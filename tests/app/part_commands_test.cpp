@@ -457,6 +457,8 @@ TEST_F(PartCommands, BadScenesOfPartsAreRefusedInOneLine) {
   EXPECT_THAT(refusal("wear.on=[]"), HasSubstr("one group of the mesh or more"));
   EXPECT_THAT(refusal("wear.on=[\"surface\", \"surface\"]"),
               HasSubstr("expected each group once, got \"surface\" twice"));
+  EXPECT_THAT(refusal("wear.surfaces.surface.coefficient=1e-8"),
+              HasSubstr("`wear.coefficient`: expected none"));
   EXPECT_THAT(refusal("wear.surfaces.bottom.rate=\"k * p\""), HasSubstr("one of wear.on"));
   EXPECT_THAT(refusal("support.1.on=botom"), HasSubstr("bottom"));
   EXPECT_THAT(refusal("support.1.directions=[\"q\"]"), HasSubstr("\"x\", \"y\""));
