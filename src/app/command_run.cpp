@@ -95,8 +95,12 @@ public:
     Run run = run_scene(settings_, options_, earlier, &plan_);
     for (int runs = 1; again(run, runs); ++runs) {
     }
-    if (!run.outcome.budget.empty())
-      print_unless(quiet_, accuracy_text(asked_, budget_of_json(run.outcome.budget)) + "\n");
+    print_unless(quiet_,
+                 run.outcome.budget.empty()
+                     ? fmt::format("asked for {:.2g} % in {}: not known, for the run is {}\n",
+                                   100 * asked_.real("accuracy.within"),
+                                   fmt::join(asked_.texts("accuracy.of"), ", "), run.outcome.text())
+                     : accuracy_text(asked_, budget_of_json(run.outcome.budget)) + "\n");
     return run;
   }
 

@@ -416,6 +416,17 @@ TEST_P(Signals, EndAPlanAsARun) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Signals, testing::Values(SIGINT, SIGTERM));
 
+TEST_F(Program, AnInterruptedRunHasNoKnownAccuracy) {
+  const pid_t child = start({"run", pin, "--set", "accuracy.within=0.01", "--set",
+                             "mesh.elements=[40,20]", "-o", "a.h5"});
+  for (int i = 0; i < 6000 && !std::filesystem::exists(folder() / "a.h5"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  kill(child, SIGTERM);
+  const Outcome outcome = finish(child);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("not known, for the run is interrupted")) << outcome.err;
+}
+
 // A batch system sends SIGTERM to all processes of a job, and a study that ends sends it to its
 // runs.
 TEST_F(Program, ASecondSigtermDoesNotKill) {
