@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesh/facet_table.hpp"
+#include "model/across_contact.hpp"
 #include "model/connected_parts.hpp"
 #include "model/observed_path.hpp"
 
@@ -67,30 +68,6 @@ Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
   return kept;
 }
 
-/// The approach, or what is across a contact that is clearly inclined to it, unit. The mean normal
-/// of nodes on a round partner is off the approach by as much as contact is not symmetric.
-template <int dim>
-Vector<dim> across_contact(const Assembly<dim>& assembly, const std::vector<char>& counts,
-                           const std::vector<PhaseContact<dim>>& phases) {
-  constexpr double along = 0.966;   // cosine of 15 degrees
-  constexpr double one_side = 0.7;  // of the area; of half a circle 0.64
-  const Vector<dim>& approach = assembly.pairs.empty() ? assembly.interface.partner.approach
-                                                       : assembly.pairs.front().approach;
-  Vector<dim> sum = Vector<dim>::Zero();
-  double area = 0;
-  for (std::size_t c = 0; c < counts.size(); ++c) {
-    const auto touches = [&](const PhaseContact<dim>& phase) { return phase.nodes[c].active; };
-    const ContactPatch<dim>& patch = assembly.contact_nodes[c];
-    if (!counts[c] || !std::ranges::any_of(phases, touches)) continue;
-    sum += patch.initial_area * patch.initial_normal;
-    area += patch.initial_area;
-  }
-  for (int i = 0; i < dim; ++i) sum[i] = sum_over_processes(sum[i]);
-  const bool inclined = sum.norm() > one_side * sum_over_processes(area) &&
-                        std::abs(sum.dot(approach)) < along * sum.norm();
-  return inclined ? Vector<dim>(sum.normalized()) : approach;
-}
-
 }  // namespace
 
 /// Where swinging loads alone drive the bodies, these and the mean displacement of their nodes, so
@@ -150,7 +127,7 @@ std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
     const FieldValues<dim>& values, double t, const std::vector<PhaseContact<dim>>& phases) const {
   const std::vector<char> counts = in_loop(assembly());
   const Vector<dim> kept = kept_by_symmetry(assembly(), phases),
-                    across = across_contact(assembly(), counts, phases);
+                    across = across_contact(assembly(), phases);
   const std::optional<AxisOfPath<dim>> axis = axis_of_path(assembly());
   const NodalField<dim> shape = equations_.shape_of_cells(values);
   std::vector<PlaceAndForce<dim>> result;

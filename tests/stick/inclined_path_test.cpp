@@ -1,0 +1,74 @@
+// Paths of bodies whose contact is inclined to what presses them.
+#include "stick/stick_scenes.hpp"
+
+namespace gnomon::inclined_path_test {
+namespace {
+
+using namespace testing;
+
+double radians(double degrees) {
+  return degrees * M_PI / 180;
+}
+
+/// A pad on its bottom under a rigid plane that rises along x, as its face does.
+class InclinedPath : public PartScenes {
+protected:
+  static constexpr double F = 10;
+
+  /// `press`: tables of the counter-body.
+  std::string pad(double degrees, double friction, const std::string& press,
+                  const std::string& cycle = "") const {
+    folder_.write("incline.geo", fmt::format(R"(T = {};
+Point(1) = {{-2, -4, 0}}; Point(2) = {{2, -4, 0}}; Point(3) = {{2, 2*T, 0}}; Point(4) = {{-2, -2*T, 0}};
+Line(1) = {{1, 2}}; Line(2) = {{2, 3}}; Line(3) = {{3, 4}}; Line(4) = {{4, 1}};
+Curve Loop(1) = {{1, 2, 3, 4}}; Plane Surface(1) = {{1}};
+Transfinite Curve {{1, 3}} = 9; Transfinite Curve {{2, 4}} = 7;
+Transfinite Surface {{1}}; Recombine Surface {{1}};
+Physical Curve("bottom") = {{1}}; Physical Curve("face") = {{3}}; Physical Surface("pad") = {{1}};
+)",
+                                             std::tan(radians(degrees))));
+    return fmt::format(R"toml(problem = "worn_body"
+mesh.file = "incline.geo"
+body = {{ young_modulus = 1e4, poisson_ratio = 0.3, material = "linear" }}
+support = [ {{ on = "bottom" }} ]
+friction = {{ coefficient = {}, stick = true }}
+wear = {{ on = ["face"], coefficient = 1e-8 }}
+time.cycles = 10
+cycle = {{ period = 1.0, phases = 8{} }}
+[counter_body]
+shape = "plane"
+center = [0.0, 0.0]
+normal = [{}, -1.0]
+)toml",
+                       friction, cycle, std::tan(radians(degrees))) +
+           press;
+  }
+  static std::string press(const std::string& direction, double force,
+                           const std::string& cycle = "") {
+    return fmt::format("[[counter_body.press]]\ndirection = {}\nforce = {:.1f}\n", direction,
+                       force) +
+           (cycle.empty() ? "" : fmt::format("cycle = \"{}\"\n", cycle));
+  }
+  static std::string down(const std::string& cycle = "") { return press("[0.0, -1.0]", F, cycle); }
+  static std::string along(double force, const std::string& cycle = "") {
+    return press("[1.0, 0.0]", force, cycle);
+  }
+  double friction_force(const std::string& text) const {
+    const auto model = this->model(text);
+    Counters counters;
+    return observed(*model, model->start(counters), "friction_force");
+  }
+};
+
+/// Up the slope N = F / (cos - f sin).
+TEST_F(InclinedPath, FrictionIsAlongASlopeHoweverSmall) {
+  constexpr double f = 0.3;
+  for (const double degrees : {-10.0, 0.0, 1.0, 10.0, 25.0}) {
+    const double a = std::abs(radians(degrees)), N = F / (std::cos(a) - f * std::sin(a));
+    const std::string text = pad(degrees, f, down(), ", x = \"0.3 * sin(2*pi*tau)\"");
+    EXPECT_NEAR(friction_force(text) / (f * N), 1, 1e-6) << degrees;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::inclined_path_test
