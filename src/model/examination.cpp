@@ -8,6 +8,7 @@
 
 #include "model/body_turn.hpp"
 #include "model/connected_parts.hpp"
+#include "model/elastic_drag.hpp"
 #include "model/intrusion.hpp"
 #include "model/observed_path.hpp"
 #include "model/observed_rolling.hpp"
@@ -19,24 +20,6 @@
 namespace gnomon {
 
 namespace {
-
-/// From one end of the cycle's sliding to the other; absent where it does not come back.
-template <int dim>
-std::optional<double> stroke_of(const std::vector<Phase<dim>>& phases, double period) {
-  constexpr double rounding = 1e-6;
-  using Place = Eigen::Matrix<double, dim + 1, 1>;
-  Place at = Place::Zero(), low = at, high = at;
-  double path = 0;
-  for (const Phase<dim>& phase : phases) {
-    const Place step = phase.weight * period * sliding_velocity(phase);
-    at += step;
-    path += step.norm();
-    low = low.cwiseMin(at);
-    high = high.cwiseMax(at);
-  }
-  if (path == 0 || at.norm() > rounding * path) return {};
-  return (high - low).norm();
-}
 
 template <int dim>
 bool touches(const PhaseContact<dim>& phase) {
@@ -55,38 +38,6 @@ int few_nodes(const std::vector<char>& carries, const std::vector<PhaseContact<d
         contacts, [c](const PhaseContact<dim>& phase) { return phase.nodes[c].active; });
   }
   return touching <= most && touching < all ? touching : 0;
-}
-
-template <int dim>
-std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
-                                     const FieldValues<dim>& values,
-                                     const std::vector<PhaseContact<dim>>& contacts) {
-  const Assembly<dim>& assembly = equations.assembly();
-  if (!assembly.cycle || assembly.interface.friction == 0 || assembly.interface.sticks) return {};
-  const auto stroke = stroke_of(equations.phases(), assembly.cycle->motion.cycle.period);
-  if (!stroke) return {};
-  ElasticDrag found{.stroke = *stroke};
-  std::array<double, 2> drag = {0, 0};  // of those that carry a multiplier; of pairs of the others
-  for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c) {
-    Vector<dim> low = Vector<dim>::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    bool active = false;
-    for (std::size_t p = 0; p < contacts.size(); ++p) {
-      if (!touches<dim>(contacts[p])) continue;
-      const ContactNode<dim>& node = contacts[p].nodes[c];
-      active = active || node.active;
-      const Vector<dim> u =
-          values.vector(equations.fields(p).u).row(assembly.contact_nodes[c].node).transpose();
-      Vector<dim> n = node.normal;
-      if (n.isZero(0)) n = assembly.contact_nodes[c].initial_normal;  // of a master
-      const Vector<dim> along = u - n * n.dot(u);
-      low = low.cwiseMin(along);
-      high = high.cwiseMax(along);
-    }
-    double& of = drag[assembly.carries[c] ? 0 : 1];
-    if (active) of = std::max(of, (high - low).norm());
-  }
-  found.drag = drag[0] + drag[1];
-  return found;
 }
 
 /// Of a counter-body that no force moves, and of bodies that no load does.

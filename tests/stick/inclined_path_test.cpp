@@ -70,5 +70,45 @@ TEST_F(InclinedPath, FrictionIsAlongASlopeHoweverSmall) {
   }
 }
 
+/// A pad that its load keeps on a base which moves along x slides by more than this, and sticks
+/// nowhere.
+TEST_F(InclinedPath, WhatFollowsASlopeIsNotDraggedByFriction) {
+  folder_.write("pair.geo", R"(T = Tan(25*Pi/180);
+Point(1) = {-2, -2*T, 0}; Point(2) = {2, 2*T, 0}; Point(3) = {2, 4, 0}; Point(4) = {-2, 4, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Point(11) = {-3, -4, 0}; Point(12) = {3, -4, 0}; Point(13) = {3, 3*T, 0}; Point(14) = {-3, -3*T, 0};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 11};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Curve Loop(11) = {11, 12, 13, 14}; Plane Surface(11) = {11};
+Transfinite Curve {1, 3} = 7; Transfinite Curve {11, 13} = 11; Transfinite Curve {2, 4, 12, 14} = 5;
+Transfinite Surface {1, 11}; Recombine Surface {1, 11};
+Physical Curve("pf") = {1}; Physical Curve("top") = {3}; Physical Curve("sides") = {2, 4};
+Physical Curve("bf") = {13}; Physical Curve("bottom") = {11};
+Physical Surface("pad") = {1}; Physical Surface("base") = {11};
+)");
+  const auto dragged = [this](double modulus) {
+    const auto model = this->model(fmt::format(R"toml(problem = "worn_body"
+mesh.file = "pair.geo"
+body = [ {{ name = "pad", young_modulus = {0}, poisson_ratio = 0.3, material = "linear" }},
+         {{ name = "base", young_modulus = {0}, poisson_ratio = 0.3, material = "linear" }} ]
+support = [ {{ on = "bottom" }}, {{ on = "top", directions = ["x"] }},
+            {{ on = "sides", directions = ["x"] }} ]
+load = [ {{ on = "top", force = [0.0, -10.0] }} ]
+pair = [ {{ bodies = ["pad", "base"], friction = 0.3 }} ]
+motion = [ {{ body = "base", cycle = {{ x = "0.3 * sin(2*pi*tau)" }} }} ]
+cycle = {{ period = 1.0, phases = 8 }}
+wear = {{ on = ["pf", "bf"], coefficient = 1e-8 }}
+time.cycles = 10
+)toml",
+                                               modulus));
+    Counters counters;
+    const Examination facts = model->examine(model->start(counters));
+    return facts.drag->drag / facts.drag->stroke;
+  };
+  const double elastic = dragged(1e4);
+  EXPECT_LT(elastic, 0.01);
+  EXPECT_NEAR(dragged(1e3) / elastic, 10, 0.5);  // what friction drags is by the elastic shear
+}
+
 }  // namespace
 }  // namespace gnomon::inclined_path_test

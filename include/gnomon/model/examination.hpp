@@ -37,7 +37,7 @@ struct EdgePressure {
 /// with it, both from one end of the cycle to the other.
 struct ElasticDrag {
   double stroke = 0;  ///< the shortest of the touching nodes' partner [length]
-  double drag = 0;    ///< the largest tangential displacement over the cycle [length]
+  double drag = 0;    ///< the largest tangential displacement that reverses with it [length]
 };
 
 /// Of a body that turns about a fixed point and moves away from there: by which part the contact
