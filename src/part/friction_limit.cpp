@@ -66,12 +66,39 @@ std::optional<std::vector<double>> pressing_loads(const AssemblyParts<dim>& part
   return {};
 }
 
+/// From the counter-body into the surface: across it where one of both is a plane and free forces
+/// alone act across it, else the approach. Round bodies hold forces beside this by their shape.
+template <int dim>
+Vector<dim> into_surface(const AssemblyParts<dim>& parts) {
+  constexpr double flat = 1 - 1e-8, rounding = 1e-9;
+  const CounterBody<dim>& other = parts.interface.partner;
+  Vector<dim> own = Vector<dim>::Zero(), others = Vector<dim>::Zero();
+  double area = 0;
+  for (const auto& patch : contact_nodes_of(parts)) {
+    const Vector<dim> out =
+        other.unchecked_distance(patch.initial_position, other.given(0, 0), 0).normal;
+    area += patch.initial_area;
+    own += patch.initial_area * patch.initial_normal;
+    others += patch.initial_area * out;
+  }
+  for (const Vector<dim>& normal : {Vector<dim>(-own), others}) {
+    if (!(normal.norm() > flat * area)) continue;
+    CounterBody<dim> free = other;
+    free.come_along(normal);
+    if ((free.approach - normal.normalized()).norm() < rounding) return free.approach;
+  }
+  return other.approach;
+}
+
 /// The forces between bodies over a run, as far as a scene tells them.
 template <int dim>
 class KnownForces {
 public:
   explicit KnownForces(const AssemblyParts<dim>& parts) : parts_(parts) {
-    if (!parts.pairs.empty() && parts.interface.rolling) presses_ = pressing_loads(parts);
+    if (parts.pairs.empty())
+      into_ = into_surface(parts);
+    else if (parts.interface.rolling)
+      presses_ = pressing_loads(parts);
   }
 
   bool are_known(const Phase<dim>& phase) const {
@@ -90,9 +117,8 @@ public:
       return {across, along.norm()};
     }
     const Vector<dim> sum = pressing_force(phase, parts_.interface.history, t, within);
-    const Vector<dim>& approach = parts_.interface.partner.approach;
-    const Vector<dim> along = sum - sum.dot(approach) * approach;
-    return {sum.dot(approach), along.norm()};
+    const Vector<dim> along = sum - sum.dot(into_) * into_;
+    return {sum.dot(into_), along.norm()};
   }
 
   /// The coefficient; a factor is one of time alone.
@@ -121,6 +147,7 @@ public:
 
 private:
   const AssemblyParts<dim>& parts_;
+  Vector<dim> into_ = Vector<dim>::Zero();  // of a counter-body
   std::optional<std::vector<double>> presses_;
 };
 

@@ -5,6 +5,9 @@ namespace gnomon::inclined_path_test {
 namespace {
 
 using namespace testing;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 double radians(double degrees) {
   return degrees * M_PI / 180;
@@ -68,6 +71,17 @@ TEST_F(InclinedPath, FrictionIsAlongASlopeHoweverSmall) {
     const std::string text = pad(degrees, f, down(), ", x = \"0.3 * sin(2*pi*tau)\"");
     EXPECT_NEAR(friction_force(text) / (f * N), 1, 1e-6) << degrees;
   }
+}
+
+/// With 12 down and 1 along x friction carries 1.099 where 11.99 press, the most in the cycle.
+TEST_F(InclinedPath, WhatFrictionHoldsIsKnownAlongThePlane) {
+  const auto remarks = [this](double friction) {
+    return model(pad(10, friction, down("1 + 0.2*sin(2*pi*tau)") + along(1)))->remarks;
+  };
+  const auto told = Contains(HasSubstr("becomes more than friction holds"));
+  EXPECT_THAT(remarks(0.35), Not(told));
+  EXPECT_THAT(remarks(0.093), Not(told));
+  EXPECT_THAT(remarks(0.090), Contains(HasSubstr("the force along the surface, 1.09")));
 }
 
 /// A pad that its load keeps on a base which moves along x slides by more than this, and sticks
