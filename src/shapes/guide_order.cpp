@@ -36,8 +36,8 @@ bool meets_none(const Normals<dim>& normals, const Guide<dim>& guide) {
          });
 }
 
-/// Forces first, those that swing after others, then what is given, then what is held; before
-/// all that lies along the surface.
+/// Forces first, of them those that are not zero, and those that swing after others, then what is
+/// given, then what is held; before all that lies along the surface.
 template <int dim>
 void sort(const Scene& scene, const Vector<dim>& outward, std::vector<Guide<dim>>& guides) {
   const auto rank = [&](const Guide<dim>& guide) {
@@ -46,7 +46,8 @@ void sort(const Scene& scene, const Vector<dim>& outward, std::vector<Guide<dim>
                       : guide.force  ? 0
                       : guide.travel ? 2
                                      : 3,
-                      scene.given(guide.key + ".cycle"), -guide.force.value_or(0));
+                      guide.force == 0.0, scene.given(guide.key + ".cycle"),
+                      -guide.force.value_or(0));
   };
   std::ranges::stable_sort(guides, {}, rank);
 }

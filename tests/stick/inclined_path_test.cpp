@@ -73,6 +73,11 @@ TEST_F(InclinedPath, FrictionIsAlongASlopeHoweverSmall) {
   }
 }
 
+/// A direction that is free under no force does not press.
+TEST_F(InclinedPath, AForceThatSwingsPressesBesideADirectionWithoutOne) {
+  EXPECT_EQ(refusal(pad(10, 0.3, down("1 + 0.2*sin(2*pi*tau)") + along(0))), "");
+}
+
 /// With 12 down and 1 along x friction carries 1.099 where 11.99 press, the most in the cycle.
 TEST_F(InclinedPath, WhatFrictionHoldsIsKnownAlongThePlane) {
   const auto remarks = [this](double friction) {
