@@ -89,6 +89,16 @@ TEST_F(InclinedPath, WhatFrictionHoldsIsKnownAlongThePlane) {
   EXPECT_THAT(remarks(0.090), Contains(HasSubstr("the force along the surface, 1.09")));
 }
 
+/// Friction alone holds the plane, whose force of 1 along x swings: F sin + cos at most.
+TEST_F(InclinedPath, AFlatPadIsHeldByFrictionAlone) {
+  for (const double degrees : {-10.0, 1.0, 5.0, 10.0, 15.0}) {
+    const double a = std::abs(radians(degrees));
+    const std::string text = pad(degrees, 0.5, down() + along(1, "sin(2*pi*tau)"));
+    ASSERT_EQ(failed_start(text), "") << degrees;
+    EXPECT_NEAR(friction_force(text), F * std::sin(a) + std::cos(a), 1e-6) << degrees;
+  }
+}
+
 /// A pad that its load keeps on a base which moves along x slides by more than this, and sticks
 /// nowhere.
 TEST_F(InclinedPath, WhatFollowsASlopeIsNotDraggedByFriction) {
