@@ -28,6 +28,13 @@ bool lies_along(const Vector<dim>& outward, const Guide<dim>& guide) {
   return !outward.isZero(0) && (guide.turns() || std::abs(outward.dot(guide.along)) < grazing);
 }
 
+/// A force along it presses little on a side that it faces obliquely.
+template <int dim>
+bool is_oblique(const Vector<dim>& outward, const Guide<dim>& guide) {
+  constexpr double facing = 0.5;
+  return !outward.isZero(0) && !guide.turns() && -outward.dot(guide.along) < facing;
+}
+
 template <int dim>
 bool meets_none(const Normals<dim>& normals, const Guide<dim>& guide) {
   constexpr double rounding = 1e-9;
@@ -36,8 +43,9 @@ bool meets_none(const Normals<dim>& normals, const Guide<dim>& guide) {
          });
 }
 
-/// Forces first, of them those that are not zero, and those that swing after others, then what is
-/// given, then what is held; before all that lies along the surface.
+/// Forces first, of them those that are not zero, those that press straight on the surface before
+/// oblique ones, and those that swing after others, then what is given, then what is held; before
+/// all that lies along the surface.
 template <int dim>
 void sort(const Scene& scene, const Vector<dim>& outward, std::vector<Guide<dim>>& guides) {
   const auto rank = [&](const Guide<dim>& guide) {
@@ -46,8 +54,8 @@ void sort(const Scene& scene, const Vector<dim>& outward, std::vector<Guide<dim>
                       : guide.force  ? 0
                       : guide.travel ? 2
                                      : 3,
-                      guide.force == 0.0, scene.given(guide.key + ".cycle"),
-                      -guide.force.value_or(0));
+                      guide.force == 0.0, is_oblique(outward, guide),
+                      scene.given(guide.key + ".cycle"), -guide.force.value_or(0));
   };
   std::ranges::stable_sort(guides, {}, rank);
 }

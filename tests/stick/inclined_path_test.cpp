@@ -89,6 +89,14 @@ TEST_F(InclinedPath, WhatFrictionHoldsIsKnownAlongThePlane) {
   EXPECT_THAT(remarks(0.090), Contains(HasSubstr("the force along the surface, 1.09")));
 }
 
+/// It presses straight on the face; the constant one would push the plane along it.
+TEST_F(InclinedPath, AForceThatSwingsPressesBeforeAnObliqueOne) {
+  const std::string text = pad(10, 0.35, down("1 + 0.2*sin(2*pi*tau)") + along(1));
+  ASSERT_EQ(failed_start(text), "");
+  const double a = radians(10);
+  EXPECT_NEAR(friction_force(text), 1.2 * F * std::sin(a) - std::cos(a), 1e-6);
+}
+
 /// Friction alone holds the plane, whose force of 1 along x swings: F sin + cos at most.
 TEST_F(InclinedPath, AFlatPadIsHeldByFrictionAlone) {
   for (const double degrees : {-10.0, 1.0, 5.0, 10.0, 15.0}) {
