@@ -132,7 +132,8 @@ void PathMarch<dim>::advance(std::size_t to, const OnTheWay& on_the_way, bool is
       !from(far ? Carried::wholly : Carried::by_shear) && !by_halves(alone, on_the_way, reason))
     throw SolutionError(
         fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}; a "
-                    "tangential force that friction does not balance has none: {}",
+                    "tangential force that friction does not balance has none, and that of one "
+                    "which it only just balances may not be found: {}",
                     phase.position, reason));
   keep_near(std::move(alone), to);
 }
