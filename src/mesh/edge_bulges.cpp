@@ -30,22 +30,25 @@ std::vector<std::vector<int>> groups_of_cells(const ImportedMesh& mesh) {
   return groups;
 }
 
-/// Facets with cells of one group only, seen from one of these.
+}  // namespace
+
 std::vector<std::pair<Polygon, int>> outer_facets(const ImportedMesh& mesh) {
-  std::map<Polygon, std::vector<std::pair<Polygon, int>>> by_nodes;
+  // Inner ones are erased as soon as both sides are known: there are far more of them.
+  std::map<Polygon, std::pair<Polygon, int>> open;
+  const auto groups = groups_of_cells(mesh);
   for (int cell = 0; cell < mesh.cells.size(); ++cell)
     for (const Polygon& facet : facets_of(mesh.cells.kinds[cell], mesh.cells.at(cell))) {
       Polygon key = facet;
       std::ranges::sort(key);
-      by_nodes[key].emplace_back(facet, cell);
+      const auto [at, is_new] = open.try_emplace(std::move(key), facet, cell);
+      if (!is_new && groups[at->second.second] == groups[cell]) open.erase(at);
     }
-  const auto groups = groups_of_cells(mesh);
   std::vector<std::pair<Polygon, int>> outer;
-  for (const auto& [key, sides] : by_nodes)
-    if (sides.size() == 1 || groups[sides[0].second] != groups[sides[1].second])
-      outer.push_back(sides[0]);
+  for (const auto& [key, facet] : open) outer.push_back(facet);
   return outer;
 }
+
+namespace {
 
 /// Edges of curves, and the tangents where two of them meet smoothly.
 class Curves {

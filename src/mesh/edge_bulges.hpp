@@ -4,6 +4,8 @@
 #include <array>
 #include <gnomon/mesh/imported_mesh.hpp>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace gnomon {
 
@@ -16,6 +18,9 @@ inline Edge edge_of(int a, int b) {
 
 /// Displacements of points half way along edges.
 using EdgeBulges = std::map<Edge, std::array<double, 3>>;
+
+/// The facets with cells of one group only, each with a cell that it belongs to.
+std::vector<std::pair<std::vector<int>, int>> outer_facets(const ImportedMesh& mesh);
 
 /// From the middle of each edge of the boundary, and of the interfaces between groups of cells, to
 /// the smooth curve or surface through the nodes: the cubic whose tangents at the ends are those
