@@ -96,6 +96,7 @@ void order_along_boundary(ImportedBody<2>& body, const std::vector<std::string>&
   };
   for (auto& cell : body.mesh.cells) renumber(cell);
   for (Facet& facet : body.exterior) renumber(facet);
+  for (RoundFacet& facet : body.round) renumber(facet.nodes);
   for (auto& [name, facets] : body.mesh.boundary) {
     for (Facet& facet : facets) renumber(facet);
     std::sort(facets.begin(), facets.end());  // a facet begins with its number along the boundary

@@ -8,6 +8,7 @@
 #include "mesh/edge_bulges.hpp"
 #include "mesh/import_cells.hpp"
 #include "mesh/import_nodes.hpp"
+#include "mesh/round_facets.hpp"
 
 namespace gnomon {
 
@@ -79,9 +80,16 @@ ImportedBody<dim> check_mesh(ImportedMesh mesh, const std::vector<std::string>& 
   merge_equal_nodes(mesh, separate);
   drop_unused_nodes(mesh);
   drop_equal_cells(mesh);
+  std::vector<RoundFacet> round;
+  const auto find_round = [&] {
+    if (separate.size() > 1) round = round_facets(mesh);
+  };
+  if (splits == 0) find_round();  // subdivided cells keep straight edges
   subdivide_where_needed(mesh, splits);
   split_cells(mesh, splits);
+  if (splits > 0) find_round();
   ImportedBody<dim> body = body_of<dim>(mesh);
+  body.round = std::move(round);
   try {
     orient_cells(body);
   } catch (const InputError& error) {

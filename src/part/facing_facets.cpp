@@ -52,11 +52,11 @@ FacetPair<dim> pair_of(const typename Mesh<dim>::Facet& slave,
 constexpr double far = std::numeric_limits<double>::infinity();
 
 /// By facet of either side: the smallest mean gap to one of the other that it meets along the
-/// slave's normal; `covered`: the area of all that meets is added to it.
+/// slave's normal; `cover`: all that meets is added to it.
 template <int dim>
 std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
                                            const std::vector<Vector<dim>>& x, Section section,
-                                           double* covered = nullptr) {
+                                           Cover* cover = nullptr) {
   constexpr double opposite = -0.2;  // cosine
   // Facets that face away from each other are far behind each other.
   const double deepest = 0.01 * Box<dim>::around(x).diagonal();
@@ -76,7 +76,11 @@ std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
       if (!(part.mass.sum() > 0)) continue;
       const double gap = part.gap.sum() / part.mass.sum();
       if (gap < -deepest) continue;
-      if (covered) *covered += part.mass.sum();
+      if (cover) {
+        cover->area += part.mass.sum();
+        cover->volume += part.gap.sum();
+        cover->least = std::min(cover->least, gap);
+      }
       gaps[0][s] = std::min(gaps[0][s], gap);
       gaps[1][m] = std::min(gaps[1][m], gap);
     }
@@ -136,6 +140,13 @@ void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section sect
 }
 
 template <int dim>
+Cover cover_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x, Section section) {
+  Cover cover;
+  gaps_of(pair, x, section, &cover);
+  return cover;
+}
+
+template <int dim>
 void reverse(MortarPair<dim>& pair) {
   std::swap(pair.slave, pair.master);
   std::swap(pair.boundary[0], pair.boundary[1]);
@@ -174,9 +185,9 @@ template <int dim>
 std::string choose_slave(const std::vector<Vector<dim>>& x, Section section,
                          const std::vector<Body>& bodies, MortarPair<dim>& pair) {
   constexpr double equal = 1.1;
-  double covered = 0;
-  const auto gaps = gaps_of(pair, x, section, &covered);
-  if (const int within = side_within(pair, x, covered); within >= 0) {
+  Cover cover;
+  const auto gaps = gaps_of(pair, x, section, &cover);
+  if (const int within = side_within(pair, x, cover.area); within >= 0) {
     if (within == 1) reverse(pair);
     return "it lies within the other surface";
   }
@@ -200,6 +211,8 @@ template void keep_facing(const std::vector<Vector<2>>&, Section, MortarPair<2>&
 template void keep_facing(const std::vector<Vector<3>>&, Section, MortarPair<3>&);
 template void keep_facing_at(const std::vector<std::vector<Vector<2>>>&, Section, MortarPair<2>&);
 template void keep_facing_at(const std::vector<std::vector<Vector<3>>>&, Section, MortarPair<3>&);
+template Cover cover_of(const MortarPair<2>&, const std::vector<Vector<2>>&, Section);
+template Cover cover_of(const MortarPair<3>&, const std::vector<Vector<3>>&, Section);
 template double mean_size(const std::vector<Mesh<2>::Facet>&, const std::vector<Vector<2>>&);
 template double mean_size(const std::vector<Mesh<3>::Facet>&, const std::vector<Vector<3>>&);
 template void reverse(MortarPair<2>&);

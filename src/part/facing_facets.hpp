@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gnomon/model/assembly.hpp>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,6 +29,15 @@ void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<
 template <int dim>
 void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section section,
                     MortarPair<dim>& pair);
+
+/// What of the sides of a pair meets along the slave's normals.
+struct Cover {
+  double area = 0;
+  double volume = 0;  ///< of the gap; less than zero where the sides overlap
+  double least = std::numeric_limits<double>::infinity();  ///< mean gap of two facets [length]
+};
+template <int dim>
+Cover cover_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x, Section section);
 
 /// The mean size of facets, edges of them in space [length].
 template <int dim>

@@ -18,6 +18,7 @@
 #include "part/pair_cycle.hpp"
 #include "part/pairs.hpp"
 #include "part/rolling_scene.hpp"
+#include "part/round_fit.hpp"
 #include "part/surfaces.hpp"
 #include "part/tracks.hpp"
 
@@ -246,6 +247,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
         fmt::format("\"{}\" may touch \"{}\" with {} facets, which carry the pressures since {}",
                     parts.pairs[k].bodies[0], parts.pairs[k].bodies[1], parts.pairs[k].slave.size(),
                     reasons[k]));
+  tell_round_fits(part, nearest, parts);
   if (parts.interface.rolling) parts.interface.rolling = rolling_of(scene, parts);
   parts.interface.partner.approach = parts.pairs.front().approach;
   std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);

@@ -7,6 +7,14 @@
 
 namespace gnomon {
 
+/// A facet of the boundary as the file has it that stands for a piece of a smooth surface through
+/// its nodes.
+struct RoundFacet {
+  std::vector<int> nodes;
+  double area = 0;     ///< in the plane length
+  double outside = 0;  ///< how far that surface lies outside of the body, in the mean [length]
+};
+
 /// Everything is plain arrays, so that a result can carry it.
 template <int dim>
 struct ImportedBody {
@@ -24,6 +32,7 @@ struct ImportedBody {
   std::map<std::string, std::string> unusable;  ///< why a name is no boundary part, in words
   std::vector<std::int64_t> node_tags;          ///< in the user's file; 0: made by subdivision
   std::vector<std::int64_t> cell_tags;  ///< of the element that the cell is, or is a part of
+  std::vector<RoundFacet> round;        ///< of bodies that may touch each other
   std::vector<std::string> remarks;     ///< what was repaired or is doubtful, in sentences
 };
 
