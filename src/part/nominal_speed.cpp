@@ -163,6 +163,19 @@ Vector<dim> counter_normal(const Instants<dim>& instants, const Place<dim>& plac
   return normal.allFinite() && !normal.isZero(0) ? normal : place.normal;
 }
 
+/// Whether the counter-body slides where it comes to some of the nodes: along its own surface, to
+/// which facets of a round body are inclined.
+template <int dim>
+bool slides(const Instants<dim>& other, const Patches<dim>& patches) {
+  constexpr double rounding = 1e-9;
+  return std::ranges::any_of(patches, [&](const ContactPatch<dim>* patch) {
+    Place<dim> place = place_of(*patch);
+    place.normal = counter_normal<dim>(other, place);
+    const double whole = speed_at<dim>(other, {place.point, Vector<dim>::Zero()});
+    return speed_at<dim>(other, place) > rounding * whole;
+  });
+}
+
 }  // namespace
 
 template <int dim>
@@ -199,7 +212,7 @@ std::vector<std::string> remarks_on_speeds(const Scene& scene,
   std::vector<std::string> remarks;
   Patches<dim> all;
   for (const auto& patch : patches) all.push_back(&patch);
-  if (mean_speed<dim>(other, all) == 0 && asks_for_wear(scene))
+  if (!slides<dim>(other, all) && asks_for_wear(scene))
     remarks.push_back(
         "counter_body.motion or cycle.x, .y, .z, .rotation: the counter-body does not slide on the "
         "surfaces of wear.on, so that nothing wears");
