@@ -8,16 +8,15 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/part/part_scene.hpp>
 #include <gnomon/shapes/counter_surface.hpp>
-#include <limits>
 #include <set>
 
 #include "mesh/facet_table.hpp"
-#include "model/bring_together.hpp"
 #include "model/connected_parts.hpp"
 #include "model/rigid_parts.hpp"
 #include "part/body_motions.hpp"
 #include "part/boundary_beside.hpp"
 #include "part/facing_facets.hpp"
+#include "part/facing_refusal.hpp"
 #include "part/groups.hpp"
 #include "part/histories.hpp"
 #include "part/pair_cycle.hpp"
@@ -219,19 +218,6 @@ std::array<Facets<dim>, 2> sides_of(const Scene& scene, const std::string& table
       scene.where(table + ".bodies"), parts.bodies[bodies[0]].name, parts.bodies[bodies[1]].name));
 }
 
-/// How far the nearest way out is for bodies that overlap, along one of the directions; 0: in one
-/// of them they are apart [length].
-template <int dim>
-double overlap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < dim; ++i)
-    for (const double sign : {1.0, -1.0}) {
-      const double travel = travel_to_touch<dim>(pair, sign * Vector<dim>::Unit(i), x);
-      if (std::isfinite(travel)) least = std::min(least, -travel);
-    }
-  return std::isfinite(least) ? std::max(0.0, least) : 0;
-}
-
 }  // namespace
 
 template <int dim>
@@ -261,17 +247,8 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
     std::vector<std::vector<Vector<dim>>> x;
     for (const auto& places : instants)
       x.push_back(in_space<dim>({pair}, places, parts.mesh.nodes));
-    const bool whole = !scene.given(table + ".surfaces");
-    const double overlap = whole ? overlap_of<dim>(pair, x.front()) : 0;
     keep_facing_at<dim>(x, parts.section(), pair);
-    if (pair.slave.empty())
-      throw InputError(fmt::format(
-          "{}: expected bodies that face each other, but {}", scene.where(table + ".bodies"),
-          overlap > 0
-              ? fmt::format("\"{}\" and \"{}\" overlap by about {:.3g} mm: their meshes, or "
-                            "body.#.shift, have to set them apart",
-                            pair.bodies[0], pair.bodies[1], overlap)
-              : fmt::format("no boundary of \"{}\" faces \"{}\"", pair.bodies[0], pair.bodies[1])));
+    if (pair.slave.empty()) refuse_facing(scene, table, part, body_of, pair, x);
     pair.approach = approach_of(pair, parts, bodies);
     parts.pairs.push_back(std::move(pair));
   }

@@ -97,6 +97,10 @@ TEST(PairMistakes, OfPairs) {
           "no boundary of \"cylinder\" faces \"plate\""),
       key("a back", R"(pair.1.surfaces=["round", "base"])",
           "no boundary of \"cylinder\" faces \"plate\""),
+      key("a side that wears, up to whose edges contact is looked for",
+          R"(wear.on=["cylinder_axis"])",
+          "wear.on: expected surfaces of \"cylinder\" and \"plate\" that face each other, but "
+          "\"cylinder_axis\" faces none"),
       key("a rigid partner, too", "counter_body.shape=plane", "expected none beside [[pair]]"),
       key("a gap between meshes", "contact.initial_gap=0.1", "the meshes say where the bodies are"),
   });
