@@ -184,7 +184,11 @@ void check_parts(const ImportedBody<dim>& body, const std::vector<int>& part, st
                   "{} and {} with {}; expected {}",
                   parts, counted(cells[0], "cell"), cell_text(body, first[0]),
                   counted(cells[1], "cell"), cell_text(body, first[1]),
-                  most == 1 ? "one part" : fmt::format("the {} of [[pair]]", most)));
+                  most > 1 ? fmt::format("the {} of [[pair]]", most)
+                           : fmt::format("one part, or a [[body]] for each, with a `mesh` of its "
+                                         "own or as a Physical {} (in Gmsh: a .geo script, which "
+                                         "may Merge this file)",
+                                         dim == 2 ? "Surface" : "Volume")));
 }
 
 /// Every node of a closed curve begins one of its edges.

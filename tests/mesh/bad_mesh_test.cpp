@@ -227,7 +227,7 @@ const BadMesh bad_meshes[] = {
      [] {
        return without_cells(square(3), {1, 4, 7});
      },
-     {"consists of 2 parts", "3 cells with element 501", "element 503"}},
+     {"consists of 2 parts", "3 cells with element 501", "element 503", "as a Physical Surface"}},
     {"PartsThatTouchInANode",
      2,
      [] {
@@ -239,7 +239,7 @@ const BadMesh bad_meshes[] = {
      [] {
        return without_cells(cube(2), {1, 2, 5, 6});
      },
-     {"consists of 2 parts that share no side"}},
+     {"consists of 2 parts that share no side", "[[body]] for each", "as a Physical Volume"}},
     {"PinchedNode",
      2,
      [] {
