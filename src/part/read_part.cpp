@@ -1,5 +1,6 @@
 // The parts of an assembly from a scene and its mesh.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <gnomon/base/error.hpp>
@@ -11,6 +12,7 @@
 #include "model/rigid_balance.hpp"
 #include "part/bodies.hpp"
 #include "part/changing_friction.hpp"
+#include "part/facing_facets.hpp"
 #include "part/first_loading.hpp"
 #include "part/friction_limit.hpp"
 #include "part/groups.hpp"
@@ -57,6 +59,18 @@ std::string doubt_about_units(const Magnitudes& magnitudes, bool pairs) {
       magnitudes.scales.displacement, magnitudes.facet, magnitudes.strain);
 }
 
+/// How far bodies of pairs that nothing moves are apart, in words; where a cycle does, nothing.
+template <int dim>
+std::string distance_text(const AssemblyParts<dim>& parts) {
+  if (parts.cycle) return "";
+  std::vector<std::string> apart;
+  for (const MortarPair<dim>& pair : parts.pairs)
+    if (const Cover cover = cover_of<dim>(pair, parts.mesh.nodes, parts.section()); cover.least > 0)
+      apart.push_back(fmt::format("\"{}\" and \"{}\" are {:.3g} mm apart", pair.bodies[0],
+                                  pair.bodies[1], cover.least));
+  return apart.empty() ? "" : fmt::format(", or meshes that overlap: {}", fmt::join(apart, ", "));
+}
+
 /// Throws where nothing presses the bodies on each other.
 template <int dim>
 Magnitudes find_magnitudes(const Scene& scene, const AssemblyParts<dim>& parts) try {
@@ -65,10 +79,10 @@ Magnitudes find_magnitudes(const Scene& scene, const AssemblyParts<dim>& parts) 
   if (press.force == 0 && press.overlap == 0)
     throw NothingPresses(fmt::format(
         "{}: expected something that presses the bodies on each other: {}a [[load]] "
-        "against the {}, or a [[support]] with value{}",
+        "against the {}, or a [[support]] with value{}{}",
         scene.path().string(), parts.pairs.empty() ? "counter_body.press.force or .approach, " : "",
         parts.pairs.empty() ? "counter-body" : "other body",
-        parts.cycle ? ", or phases in which bodies overlap" : ""));
+        parts.cycle ? ", or phases in which bodies overlap" : "", distance_text(parts)));
   return magnitudes_of(parts, duration);
 } catch (const RecoverableError& error) {
   throw unsound_law(scene, error);

@@ -94,5 +94,10 @@ TEST_F(RoundFit, ChordsInSpaceAreTold) {
   EXPECT_THAT(remarks(rings(0.01, 10, 10, 3), 0, held), Not(warning));
 }
 
+TEST_F(RoundFit, AClearanceIsTold) {
+  folder_.write("rings.geo", rings(-0.02, 10, 10));
+  EXPECT_THAT(refusal(scene), HasSubstr("or meshes that overlap: \"shaft\" and \"hub\" are 0.01"));
+}
+
 }  // namespace
 }  // namespace gnomon::round_fit_test
