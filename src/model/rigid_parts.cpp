@@ -158,6 +158,16 @@ std::string description_of(const Twist<dim>& twist, const RigidPart<dim>& part, 
 }
 
 template <int dim>
+std::string free_rotation_of(const RigidPart<dim>& part, Section section) {
+  constexpr double rounding = 1e-6;
+  const Eigen::MatrixXd rotations = part.loose.bottomRows(rigid_motions_of(dim) - dim);
+  if (rotations.norm() <= rounding) return "";
+  const Spectrum spectrum = spectrum_of(rotations.transpose() * rotations);
+  const Twist<dim> most = part.loose * spectrum.vectors.rightCols(1);
+  return description_of<dim>(most, part, section);
+}
+
+template <int dim>
 std::string free_motions_of(const RigidPart<dim>& part, Section section) {
   constexpr double rounding = 1e-6;
   std::vector<std::string> directions;
@@ -175,6 +185,8 @@ std::string free_motions_of(const RigidPart<dim>& part, Section section) {
 
 template const Body& body_of_part(const AssemblyParts<2>&, const RigidPart<2>&);
 template const Body& body_of_part(const AssemblyParts<3>&, const RigidPart<3>&);
+template std::string free_rotation_of(const RigidPart<2>&, Section);
+template std::string free_rotation_of(const RigidPart<3>&, Section);
 template std::string free_motions_of(const RigidPart<2>&, Section);
 template std::string free_motions_of(const RigidPart<3>&, Section);
 template Eigen::Matrix<double, 2, 3> rigid_velocities<2>(const Vector<2>&, const Vector<2>&,

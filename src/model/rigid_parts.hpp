@@ -65,6 +65,10 @@ const Body& body_of_part(const AssemblyParts<dim>& parts, const RigidPart<dim>& 
 /// "move along x", or "turn about (1, 2)".
 template <int dim>
 std::string description_of(const Twist<dim>& twist, const RigidPart<dim>& part, Section section);
+/// The rotation that is free, without any translation that is free, too: "turn about (1, 2)";
+/// empty: none is. In space one of them.
+template <int dim>
+std::string free_rotation_of(const RigidPart<dim>& part, Section section);
 /// All that is free, "move along x and turn".
 template <int dim>
 std::string free_motions_of(const RigidPart<dim>& part, Section section);

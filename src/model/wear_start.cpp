@@ -3,6 +3,7 @@
 #include "model/wear_start.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <gnomon/base/error.hpp>
@@ -112,10 +113,22 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
 
 namespace {
 
+/// Of bodies of pairs that supports let turn.
+template <int dim>
+std::string hint_of_rotations(const Assembly<dim>& assembly) {
+  std::vector<std::string> free;
+  for (const RigidPart<dim>& part : rigid_parts(assembly, assembly.mesh.nodes))
+    if (const std::string rotation = free_rotation_of(part, assembly.section()); !rotation.empty())
+      free.push_back(fmt::format("\"{}\" can {}", body_of_part(assembly, part).name, rotation));
+  if (free.empty()) return "";
+  return fmt::format("; {}, which contact alone resists: expected a [[support]] that holds it",
+                     fmt::join(free, ", "));
+}
+
 /// Of a body that only contact with the counter-body holds in more than the direction of the load.
 template <int dim>
 std::string hint_of_free_motions(const Assembly<dim>& assembly) {
-  if (!assembly.pairs.empty()) return "";
+  if (!assembly.pairs.empty()) return hint_of_rotations(assembly);
   for (const RigidPart<dim>& part : rigid_parts(assembly, assembly.mesh.nodes))
     if (part.loose.cols() > 1)
       return fmt::format(

@@ -10,6 +10,7 @@ namespace gnomon::standing_test {
 namespace {
 
 using namespace testing;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -145,6 +146,40 @@ TEST_F(Standing, ABlockStandsWhereverTheForceMeetsItsFoot) {
 TEST_F(Standing, ARoundFootRollsOver) {
   folder_.write("column.geo", column(0.3));
   EXPECT_THAT(refusal(scene), HasSubstr("\"column\" can turn about"));
+}
+
+/// A pin of 8 mm with a nose of radius 12, whose guide along its top lets it rock.
+constexpr const char* pin_on_plate = R"(
+Point(1) = {0, 0, 0, 0.25}; Point(2) = {-4, 12 - Sqrt(128), 0, 0.4}; Point(9) = {0, 12, 0};
+Point(3) = {4, 12 - Sqrt(128), 0, 0.4}; Point(4) = {4, 8, 0, 1.5}; Point(5) = {-4, 8, 0, 1.5};
+Circle(1) = {2, 9, 1}; Circle(2) = {1, 9, 3};
+Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 2};
+Curve Loop(1) = {1 : 5}; Plane Surface(1) = {1};
+Point(11) = {-10, -8, 0, 2}; Point(12) = {10, -8, 0, 2}; Point(13) = {10, 0, 0, 1.5};
+Point(14) = {4, 0, 0, 0.35}; Point(15) = {-4, 0, 0, 0.35}; Point(16) = {-10, 0, 0, 1.5};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 15};
+Line(15) = {15, 16}; Line(16) = {16, 11};
+Curve Loop(2) = {11 : 16}; Plane Surface(2) = {2}; Recombine Surface {1, 2};
+Physical Surface("pin") = {1}; Physical Surface("plate") = {2};
+Physical Curve("nose") = {1, 2}; Physical Curve("top") = {4}; Physical Curve("base") = {11};
+)";
+
+TEST_F(Standing, ARockerThatFindsNoRestIsNamed) {
+  folder_.write("pin.geo", pin_on_plate);
+  const std::string failure = failed_start(R"(
+problem = "worn_body"
+mesh.file = "pin.geo"
+body = [ { name = "pin", young_modulus = 2000.0, poisson_ratio = 0.35 },
+         { name = "plate", young_modulus = 6000.0, poisson_ratio = 0.3 } ]
+pair = [ { bodies = ["pin", "plate"], friction = 0.1 } ]
+motion = [ { body = "plate", velocity = [100.0, 0.0] } ]
+support = [ { on = "top", directions = ["x"] }, { on = "base" } ]
+load = [ { on = "top", force = [0.0, -30.0] } ]
+wear = { on = ["nose"], coefficient = 1e-8 }
+time.end = 1.0
+)");
+  EXPECT_THAT(failure, AllOf(HasSubstr("\"pin\" can turn about ("),
+                             HasSubstr(", 8), which contact alone resists")));
 }
 
 // Friction tilts it on a rigid cylinder, where no rest is looked for.
