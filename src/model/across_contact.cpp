@@ -9,26 +9,37 @@ namespace gnomon {
 
 namespace {
 
-/// Of one of two bodies that touch, by the force that presses there.
+/// Of one of two bodies that touch, by the forces that press there.
 template <int dim>
 class Normals {
 public:
-  void add(const Vector<dim>& normal, double force) {
-    sum_ += force * normal;
-    whole_ += force;
+  /// Of a place: the sum of the normals there times the forces, and that of the forces.
+  void add(const Vector<dim>& normals, double forces) {
+    if (forces == 0) return;
+    ++places_;
+    sum_ += normals;
+    whole_ += forces;
   }
   void add_processes() {
     for (int i = 0; i < dim; ++i) sum_[i] = sum_over_processes(sum_[i]);
     whole_ = sum_over_processes(whole_);
+    places_ = sum_over_processes(places_);
   }
-  /// One less the cosine of the root mean square angle to mean(): of a plane zero.
-  double spread() const { return sum_.isZero(0) ? 1 : std::max(0.0, 1 - sum_.norm() / whole_); }
+  /// One facet or node alone may be of a round body.
+  bool are_of_a_plane() const {
+    constexpr double rounding = 1e-8;
+    return places_ > 1 && sum_.norm() > (1 - rounding) * whole_;
+  }
+  bool are_of_one_side() const {
+    constexpr double one_side = 0.7;  // of half a circle 0.64
+    return whole_ > 0 && sum_.norm() > one_side * whole_;
+  }
   /// Unit.
   Vector<dim> mean() const { return sum_.normalized(); }
 
 private:
   Vector<dim> sum_ = Vector<dim>::Zero();
-  double whole_ = 0;
+  double whole_ = 0, places_ = 0;
 };
 
 /// Of facets that touch with all their nodes: averages at the nodes of an edge point elsewhere.
@@ -47,19 +58,27 @@ Normals<dim> normals_of(const Assembly<dim>& assembly,
       }
       pressed += least;
     }
-    if (pressed > 0) result.add(facet_normal<dim>(facet, assembly.mesh.nodes), pressed);
+    result.add(pressed * facet_normal<dim>(facet, assembly.mesh.nodes), pressed);
   }
   result.add_processes();
   return result;
 }
 
-/// Of the counter-body.
+/// Of the counter-body, where nodes meet it.
 template <int dim>
 Normals<dim> normals_of_partner(const std::vector<PhaseContact<dim>>& phases) {
   Normals<dim> result;
-  for (const PhaseContact<dim>& phase : phases)
-    for (const ContactNode<dim>& node : phase.nodes)
-      if (node.active) result.add(node.normal, node.force.norm());
+  for (std::size_t c = 0; c < phases.front().nodes.size(); ++c) {
+    Vector<dim> sum = Vector<dim>::Zero();
+    double forces = 0;
+    for (const PhaseContact<dim>& phase : phases) {
+      const ContactNode<dim>& node = phase.nodes[c];
+      if (!node.active) continue;
+      sum += node.force.norm() * node.normal;
+      forces += node.force.norm();
+    }
+    result.add(sum, forces);
+  }
   result.add_processes();
   return result;
 }
@@ -69,7 +88,7 @@ Normals<dim> normals_of_partner(const std::vector<PhaseContact<dim>>& phases) {
 template <int dim>
 Vector<dim> across_contact(const Assembly<dim>& assembly,
                            const std::vector<PhaseContact<dim>>& phases) {
-  constexpr double clear = 4;  // of the spread: twice the root mean square angle
+  constexpr double along = 0.966;  // cosine of 15 degrees
   const bool pair = !assembly.pairs.empty();
   const Vector<dim>& approach =
       pair ? assembly.pairs.front().approach : assembly.interface.partner.approach;
@@ -78,9 +97,10 @@ Vector<dim> across_contact(const Assembly<dim>& assembly,
       phases);
   const Normals<dim> others = pair ? normals_of(assembly, assembly.pairs.front().master, phases)
                                    : normals_of_partner(phases);
-  const Normals<dim>& flatter = own.spread() < others.spread() ? own : others;
-  const bool inclined = 1 - std::abs(flatter.mean().dot(approach)) > clear * flatter.spread();
-  return inclined ? flatter.mean() : approach;
+  if (others.are_of_a_plane()) return others.mean();
+  if (own.are_of_a_plane()) return own.mean();
+  const bool inclined = own.are_of_one_side() && std::abs(own.mean().dot(approach)) < along;
+  return inclined ? own.mean() : approach;
 }
 
 template Vector<2> across_contact(const Assembly<2>&, const std::vector<PhaseContact<2>>&);

@@ -6,9 +6,10 @@
 
 namespace gnomon {
 
-/// The approach of the first pair or of the counter-body, or where contact is inclined to it the
-/// mean normal of what is pressed over the phases: unit. Round bodies tell it only as well as
-/// pressures are symmetric, flat ones exactly, and the flatter of two bodies counts.
+/// The normal of the plane, where one of the bodies is one in contact. Of round bodies the approach
+/// of the first pair or of the counter-body, or what is across a contact that is clearly inclined
+/// to it: their mean normal, by the forces over the phases, is off it by as much as contact is not
+/// symmetric. Unit.
 template <int dim>
 Vector<dim> across_contact(const Assembly<dim>& assembly,
                            const std::vector<PhaseContact<dim>>& phases);
