@@ -79,7 +79,6 @@ std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
       if (cover) {
         cover->area += part.mass.sum();
         cover->volume += part.gap.sum();
-        cover->least = std::min(cover->least, gap);
       }
       gaps[0][s] = std::min(gaps[0][s], gap);
       gaps[1][m] = std::min(gaps[1][m], gap);

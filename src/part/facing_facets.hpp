@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gnomon/model/assembly.hpp>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -34,7 +33,6 @@ void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section sect
 struct Cover {
   double area = 0;
   double volume = 0;  ///< of the gap; less than zero where the sides overlap
-  double least = std::numeric_limits<double>::infinity();  ///< mean gap of two facets [length]
 };
 template <int dim>
 Cover cover_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x, Section section);

@@ -211,14 +211,16 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   for (const auto& places : instants)
     touching.push_back(in_space(parts.pairs, places, RigidBalance<dim>(parts, places).x));
   std::vector<std::string> reasons;
-  std::vector<std::vector<Vector<dim>>> nearest;  // by pair
+  std::vector<std::vector<Vector<dim>>> nearest, meshed;  // by pair; as loads move bodies, or not
   for (MortarPair<dim>& pair : parts.pairs) {
     // Facets of a shaft and its bore have gaps of their own.
     std::vector<double> gaps;
     for (const auto& x : touching) gaps.push_back(gap_of(pair, x));
     const auto least = std::ranges::min_element(gaps);
     const double gap = *least;
-    nearest.push_back(touching[static_cast<std::size_t>(least - gaps.begin())]);
+    const auto when = static_cast<std::size_t>(least - gaps.begin());
+    nearest.push_back(touching[when]);
+    meshed.push_back(in_space(parts.pairs, instants[when], parts.mesh.nodes));
     pair.reach = closed + gap + mean_size<dim>(pair.slave, nearest.back()) / 2;
     keep_facing_at<dim>(touching, parts.section(), pair);
     if (pair.slave.empty())
@@ -247,7 +249,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
         fmt::format("\"{}\" may touch \"{}\" with {} facets, which carry the pressures since {}",
                     parts.pairs[k].bodies[0], parts.pairs[k].bodies[1], parts.pairs[k].slave.size(),
                     reasons[k]));
-  tell_round_fits(part, nearest, parts);
+  tell_round_fits(part, meshed, parts);
   if (parts.interface.rolling) parts.interface.rolling = rolling_of(scene, parts);
   parts.interface.partner.approach = parts.pairs.front().approach;
   std::vector<Surface<dim>> surfaces = surfaces_of(scene, part, parts.pairs);

@@ -9,6 +9,7 @@
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/part/part_scene.hpp>
 
+#include "model/bring_together.hpp"
 #include "model/rigid_balance.hpp"
 #include "part/bodies.hpp"
 #include "part/changing_friction.hpp"
@@ -63,11 +64,13 @@ std::string doubt_about_units(const Magnitudes& magnitudes, bool pairs) {
 template <int dim>
 std::string distance_text(const AssemblyParts<dim>& parts) {
   if (parts.cycle) return "";
+  const double rounding = 1e-9 * Box<dim>::around(parts.mesh.nodes).diagonal();
   std::vector<std::string> apart;
   for (const MortarPair<dim>& pair : parts.pairs)
-    if (const Cover cover = cover_of<dim>(pair, parts.mesh.nodes, parts.section()); cover.least > 0)
+    if (const double gap = travel_to_touch<dim>(pair, pair.approach, parts.mesh.nodes);
+        std::isfinite(gap) && gap > rounding)
       apart.push_back(fmt::format("\"{}\" and \"{}\" are {:.3g} mm apart", pair.bodies[0],
-                                  pair.bodies[1], cover.least));
+                                  pair.bodies[1], gap));
   return apart.empty() ? "" : fmt::format(", or meshes that overlap: {}", fmt::join(apart, ", "));
 }
 

@@ -49,8 +49,8 @@ std::string remark_on_round_fit(const ImportedBody<dim>& part, const MortarPair<
                         overlap / round);
   return fmt::format(
       "\"{}\" and \"{}\" overlap by {:.3g} mm in the mean, their round surfaces by {:.3g} mm, "
-      "since "
-      "facets of different length are chords of these: {}; expected nodes that match, or a finer "
+      "since facets of different length are chords of these: {}; expected nodes that match, or a "
+      "finer "
       "mesh (mesh.factor, mesh.split)",
       pair.bodies[0], pair.bodies[1], overlap, std::max(0.0, round), effect);
 }

@@ -94,9 +94,15 @@ TEST_F(RoundFit, ChordsInSpaceAreTold) {
   EXPECT_THAT(remarks(rings(0.01, 10, 10, 3), 0, held), Not(warning));
 }
 
+// Its bodies lie apart, and a load brings them together.
+TEST_F(RoundFit, OfBodiesThatALoadPressesIsNone) {
+  const auto shoe = make_model(load_scene(shipped("shoe_on_drum.toml"), {}, key_table));
+  EXPECT_THAT(shoe->remarks, Not(warning));
+}
+
 TEST_F(RoundFit, AClearanceIsTold) {
   folder_.write("rings.geo", rings(-0.02, 10, 10));
-  EXPECT_THAT(refusal(scene), HasSubstr("or meshes that overlap: \"shaft\" and \"hub\" are 0.01"));
+  EXPECT_THAT(refusal(scene), HasSubstr("or meshes that overlap: \"shaft\" and \"hub\" are 0.02"));
 }
 
 }  // namespace
