@@ -95,16 +95,24 @@ public:
     Run run = run_scene(settings_, options_, earlier, &plan_);
     for (int runs = 1; again(run, runs); ++runs) {
     }
-    print_unless(quiet_,
-                 run.outcome.budget.empty()
-                     ? fmt::format("asked for {:.2g} % in {}: not known, for the run is {}\n",
-                                   100 * asked_.real("accuracy.within"),
-                                   fmt::join(asked_.texts("accuracy.of"), ", "), run.outcome.text())
-                     : accuracy_text(asked_, budget_of_json(run.outcome.budget)) + "\n");
+    print_unless(quiet_, (run.outcome.budget.empty()
+                              ? unknown_accuracy_text(run.outcome)
+                              : accuracy_text(asked_, budget_of_json(run.outcome.budget))) +
+                             "\n");
     return run;
   }
 
 private:
+  std::string unknown_accuracy_text(const RunOutcome& outcome) const {
+    using Status = RunOutcome::Status;
+    return fmt::format("asked for {:.2g} % in {}: not known, for {}",
+                       100 * asked_.real("accuracy.within"),
+                       fmt::join(asked_.texts("accuracy.of"), ", "),
+                       outcome.status == Status::interrupted ? "the run was interrupted"
+                       : outcome.status == Status::failed    ? "the run failed"
+                                                             : "it has nothing to compare");
+  }
+
   /// False: the run stays as it is.
   bool again(Run& run, int runs) {
     if (run.outcome.budget.empty()) return false;

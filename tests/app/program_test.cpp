@@ -424,7 +424,7 @@ TEST_F(Program, AnInterruptedRunHasNoKnownAccuracy) {
   kill(child, SIGTERM);
   const Outcome outcome = finish(child);
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("not known, for the run is interrupted")) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("not known, for the run was interrupted")) << outcome.err;
 }
 
 // A batch system sends SIGTERM to all processes of a job, and a study that ends sends it to its
