@@ -32,7 +32,7 @@ bool lies_along(const Vector<dim>& outward, const Guide<dim>& guide) {
 template <int dim>
 bool is_oblique(const Vector<dim>& outward, const Guide<dim>& guide) {
   constexpr double facing = 0.5;
-  return !outward.isZero(0) && !guide.turns() && -outward.dot(guide.along) < facing;
+  return guide.force && !outward.isZero(0) && !guide.turns() && -outward.dot(guide.along) < facing;
 }
 
 template <int dim>
