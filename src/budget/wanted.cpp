@@ -162,7 +162,7 @@ std::string accuracy_text(const Scene& asked, const Budget& shown) {
   });
   const double within = asked.real("accuracy.within");
   std::string reached = fmt::format("{:.2g} %", 100 * error);
-  if (error > within && reached == fmt::format("{:.2g} %", 100 * within))
+  if (without.empty() && error > within && reached == fmt::format("{:.2g} %", 100 * within))
     reached = "a little more than " + reached;
   if (!without.empty()) reached = "more than " + reached;
   if (part != shown.parts.end() && part->unknown.empty() && std::isnan(part->errors[worst]))

@@ -71,7 +71,7 @@ std::vector<std::string> doubts(const Examination& facts) {
     found.push_back(fmt::format(
         "{} over the cycle beside what {} says, with about {:.2g} % of the sliding speed, which "
         "wear leaves out",
-        facts.unseen_sliding->body.empty() ? "bodies follow each other"
+        facts.unseen_sliding->body.empty() ? "contact moves"
                                            : '"' + facts.unseen_sliding->body + "\" moves",
         facts.unseen_sliding->body.empty() ? "[cycle]" : "[[motion]]",
         100 * facts.unseen_sliding->part));
