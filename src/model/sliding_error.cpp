@@ -147,9 +147,9 @@ std::optional<UnseenSliding> unseen_beside_partner(const WornBodyEquations<dim>&
   for (std::size_t p = 0; p < contacts.size(); ++p) {
     const RigidMotion<dim>& motion = equations.phases()[p].counter_body.motion;
     const Vector<dim> follows = following(equations, values, p);
-    const NodalField<dim> rate = rate_of_displacement(equations, values, p),
-                          d = values.vector(equations.fields(p).d),
-                          u = values.vector(equations.fields(p).u);
+    const NodalField<dim> rate = rate_of_displacement(equations, values, p);
+    const NodalField<dim>&d = values.vector(equations.fields(p).d),
+          &u = values.vector(equations.fields(p).u);
     for (std::size_t c = 0; c < contacts[p].nodes.size(); ++c) {
       const ContactNode<dim>& node = contacts[p].nodes[c];
       const int at = assembly.contact_nodes[c].node;
