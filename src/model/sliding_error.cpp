@@ -118,10 +118,6 @@ Vector<dim> tangential(const Vector<dim>& v, const Assembly<dim>& assembly,
   return v - v.dot(normal) * normal;
 }
 
-}  // namespace
-
-namespace {
-
 /// How fast the free guides of the counter-body move it in a phase, but for turns.
 template <int dim>
 Vector<dim> following(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
