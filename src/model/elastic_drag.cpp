@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "mesh/facet_table.hpp"
 
@@ -77,27 +78,31 @@ std::optional<ElasticDrag> find_drag(const WornBodyEquations<dim>& equations,
   const auto stroke = stroke_of(equations.phases(), assembly.cycle->motion.cycle.period);
   if (!stroke) return {};
   const std::vector<const MortarPair<dim>*> pairs = pairs_of_nodes(assembly);
-  std::array<double, 2> drag = {0, 0};  // of those that carry a multiplier; of pairs of the others
-  for (std::size_t c = 0; c < assembly.contact_nodes.size(); ++c) {
-    const ContactPatch<dim>& patch = assembly.contact_nodes[c];
-    bool active = false;
-    std::vector<Dragged<dim>> of_node;
-    for (std::size_t p = 0; p < contacts.size(); ++p) {
-      const std::vector<ContactNode<dim>>& nodes = contacts[p].nodes;
-      if (std::ranges::none_of(nodes, &ContactNode<dim>::active)) continue;
-      active = active || nodes[c].active;
-      const Phase<dim>& phase = equations.phases()[p];
+  std::vector<std::vector<Dragged<dim>>> of_node(pairs.size());
+  std::vector<char> active(pairs.size());
+  for (std::size_t p = 0; p < contacts.size(); ++p) {
+    const std::vector<ContactNode<dim>>& nodes = contacts[p].nodes;
+    if (std::ranges::none_of(nodes, &ContactNode<dim>::active)) continue;
+    const Phase<dim>& phase = equations.phases()[p];
+    std::map<const MortarPair<dim>*, RigidMotion<dim>> motions;
+    for (const MortarPair<dim>& pair : assembly.pairs)
+      motions.emplace(&pair, PairPlaces<dim>(pair, phase.places).motion);
+    for (std::size_t c = 0; c < pairs.size(); ++c) {
+      const ContactPatch<dim>& patch = assembly.contact_nodes[c];
+      active[c] |= static_cast<char>(nodes[c].active);
       const Vector<dim> u = values.vector(equations.fields(p).u).row(patch.node).transpose();
       // Of a master there is none.
       const Vector<dim>& n = nodes[c].normal.isZero(0) ? patch.initial_normal : nodes[c].normal;
-      const Vector<dim> sliding =
-          pairs[c] ? PairPlaces<dim>(*pairs[c], phase.places).motion.at(patch.initial_position)
-                   : Vector<dim>(sliding_velocity(phase).template head<dim>());
-      of_node.push_back({contacts[p].weight, u - n * n.dot(u), sliding});
+      const Vector<dim> sliding = pairs[c]
+                                      ? motions.at(pairs[c]).at(patch.initial_position)
+                                      : Vector<dim>(sliding_velocity(phase).template head<dim>());
+      of_node[c].push_back({contacts[p].weight, u - n * n.dot(u), sliding});
     }
-    double& of = drag[assembly.carries[c] ? 0 : 1];
-    if (active) of = std::max(of, 2 * mean_drag(of_node));
   }
+  std::array<double, 2> drag = {0, 0};  // of those that carry a multiplier; of pairs of the others
+  for (std::size_t c = 0; c < pairs.size(); ++c)
+    if (double& of = drag[assembly.carries[c] ? 0 : 1]; active[c])
+      of = std::max(of, 2 * mean_drag(of_node[c]));
   return ElasticDrag{.stroke = *stroke, .drag = drag[0] + drag[1]};
 }
 
