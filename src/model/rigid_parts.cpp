@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "base/spectrum.hpp"
 #include "model/connected_parts.hpp"
@@ -31,15 +30,20 @@ Eigen::Matrix<double, dim, rigid_motions_of(dim)> rigid_velocities(const Vector<
 template <int dim>
 Eigen::Transform<double, dim, Eigen::Affine> moved_by(const Twist<dim>& twist,
                                                       const Vector<dim>& centre, double size) {
-  // The exponential of the twist: a body that turns about a held point keeps it.
-  Eigen::Matrix<double, dim + 1, dim + 1> A = Eigen::Matrix<double, dim + 1, dim + 1>::Zero();
+  // The exponential of the twist (Rodrigues' formula): a body that turns about a held point keeps
+  // it.
   const Vector<dim> origin = rigid_velocities<dim>(Vector<dim>::Zero(), centre, size) * twist;
+  Tensor<dim> spin;
   for (int i = 0; i < dim; ++i)
-    A.col(i).template head<dim>() =
-        rigid_velocities<dim>(Vector<dim>::Unit(i), centre, size) * twist - origin;
-  A.col(dim).template head<dim>() = origin;
+    spin.col(i) = rigid_velocities<dim>(Vector<dim>::Unit(i), centre, size) * twist - origin;
+  const auto sinc = [](double angle) { return angle == 0 ? 1 : std::sin(angle) / angle; };
+  const Tensor<dim> twice = spin * spin, one = Tensor<dim>::Identity();
+  const double angle = spin.norm() / std::sqrt(2.0), half = sinc(angle / 2);
+  const double third = angle < 1e-4 ? 1.0 / 6 : (1 - sinc(angle)) / (angle * angle);
   Eigen::Transform<double, dim, Eigen::Affine> moved;
-  moved.matrix() = A.exp();
+  moved.linear() = one + sinc(angle) * spin + half * half / 2 * twice;
+  moved.translation() = (one + half * half / 2 * spin + third * twice) * origin;
+  moved.makeAffine();
   return moved;
 }
 
