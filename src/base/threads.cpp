@@ -7,9 +7,9 @@
 
 namespace gnomon {
 
-void divide_among_threads(long count, const std::function<void(long)>& work) {
+void divide_among_threads(long count, long entries, const std::function<void(long)>& work) {
   const int threads = omp_get_max_threads();
-  if (threads == 1 || count <= threads) {
+  if (threads == 1 || count <= threads || entries < worth_threads) {
     for (long i = 0; i < count; ++i) work(i);
     return;
   }

@@ -75,7 +75,8 @@ public:
 
   void update() override {
     compliance_.solve(contacts_.touched(), stiffness_);
-    divide_among_threads(static_cast<long>(systems_.size()), [this](long p) { make_system(p); });
+    const long count = static_cast<long>(systems_.size()), columns = compliance_.columns();
+    divide_among_threads(count, count * columns * columns, [this](long p) { make_system(p); });
     Eigen::MatrixXd wear = Eigen::MatrixXd::Identity(contacts_.worn(), contacts_.worn());
     for (std::size_t p = 0; p < systems_.size(); ++p) {
       const std::vector<int>& worn = contacts_.phases()[p].worn;

@@ -145,7 +145,9 @@ void ComposedSystem<dim>::for_terms(std::optional<bool> slow, const Work& work) 
   std::vector<std::size_t> sweeping, others;
   for (std::size_t k = 0; k < terms_.size(); ++k)
     if (!slow || *slow == bool(slow_[k])) (sweeps_[k] ? sweeping : others).push_back(k);
-  divide_among_threads(static_cast<long>(sweeping.size()), [&](long i) { work(sweeping[i]); });
+  divide_among_threads(static_cast<long>(sweeping.size()),
+                       static_cast<long>(structure_.pattern.row_index.size()),
+                       [&](long i) { work(sweeping[i]); });
   for (std::size_t k : others) work(k);
 }
 
@@ -171,7 +173,8 @@ double ComposedSystem<dim>::change_of_strain(std::span<const double> y0,
   const std::vector<int>& part = composition_->part;
   const auto part_of = [&](int i) { return part.empty() ? 0 : part[structure_.group[i]]; };
   double largest = 0;
-#pragma omp parallel for reduction(max : largest)
+  const bool threaded = long(pattern.row_index.size()) >= worth_threads;
+#pragma omp parallel for if (threaded) reduction(max : largest)
   for (int j = 0; j < pattern.size(); ++j) {
     const int kind = kind_of(j);
     if (kind == 0) continue;
