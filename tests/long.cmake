@@ -1,13 +1,23 @@
-# The tests of each room that take longer than some seconds (label long), as a filter of GoogleTest. scripts/test leaves
+# The tests of each room that take longer than some seconds (label long), as filters of GoogleTest. scripts/test leaves
 # them out, scripts/before-resolve runs them.
-set(long_app Memory.IsEstimatedWithinAQuarterInSpace:Plot.FiguresOfOneName*:Plot.DrawsBodiesInSpace*:Plot.LaysTheShapes*)
+set(long_app Memory.IsEstimatedWithinAQuarterInSpace Plot.FiguresOfOneName* Plot.DrawsBodiesInSpace*
+    Plot.LaysTheShapes* Plot.GeometryInThePlane Plot.DrawsAStudyASpectrum* Plot.AnUnwritableHome*)
 set(long_integrators Settling.MakesPressuresOfAStiffBall*)
 set(long_linear Multigrid.AlongGridLines*)
-set(long_part Cycles.BothSolversAgree:Cycles.CountTheSlidingDistance*:Cycles.DifferFrom*:Cycles.LoseWhat*:GradedMesh.IsScaledWhere*:PassingBall.*:PhaseErrors.*:SettledPressures.AreReachedBy*:WornLimits.BlockOnRingOfTriangles)
-set(long_pair PairCandidates.WhatSinks*)
-set(long_pin ConservativeNormal.WearsAsDeep*:Pin.WearFluxIsThat*)
-set(long_problems *EveryScene*:Scenes.BlocksAddUp*)
-set(long_stick Fretting.PhasesAreChosenByTheirError:PairFretting.ExplicitMethods*:PairFretting.JacobianEquals*:PairFretting.SimilarBodiesWearUntil*)
-set(long_resume Kill.OneStepMethods*:Resume.OfACycle*)
-set(long_budget Budget.OfFewPhases*:Budget.OfLargeSteps*:Budget.OfTheMeanOverPhases*:Plan.ChoosesPhases)
-set(long_study StudyRuns.OnlyCompleteRuns*)
+set(long_part Cycles.BothSolversAgree Cycles.CountTheSlidingDistance* Cycles.DifferFrom* Cycles.LoseWhat*
+    GradedMesh.IsScaledWhere* PassingBall.* PhaseErrors.* SettledPressures.AreReachedBy*
+    WornLimits.BlockOnRingOfTriangles Condensation.HasTheSolution*)
+set(long_pair PairCandidates.WhatSinks* PairBalance.AShoeInSpace* SprungCam.SpringsAlone*
+    PairPlaces.ARockerRestsWherever*)
+set(long_pin ConservativeNormal.WearsAsDeep* Pin.WearFluxIsThat*)
+set(long_problems *EveryScene* Scenes.BlocksAddUp*)
+set(long_stick Fretting.PhasesAreChosenByTheirError PairFretting.ExplicitMethods* PairFretting.JacobianEquals*
+    PairFretting.SimilarBodiesWearUntil* Fretting.ExplicitMethodsKeep* Fretting.TheErrorOfThePhases*
+    Fretting.TheFirstLoading* PairRolling.FrictionWithoutThePower* PairRolling.TheDepthIsExpected*
+    RollingScenes.FreeRollingOfUnlike* RollingScenes.LargeStrains*)
+set(long_resume Kill.OneStepMethods* Resume.OfACycle* Kill.BdfGoesOn*)
+set(long_budget Budget.OfFewPhases* Budget.OfLargeSteps* Budget.OfTheMeanOverPhases* Plan.ChoosesPhases
+    Plan.LeavesAndJudges*)
+set(long_study StudyRuns.OnlyCompleteRuns* StudyRuns.AnotherStudysFolder* BySlurm.RunsThatNeverBegan*
+    StudyRuns.RunsWhoseResultCannot*)
+set(long_run SettledEnd.IsThatOfAnObservation*)
