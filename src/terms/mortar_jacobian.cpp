@@ -79,8 +79,10 @@ void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& fac
       add_master(facet, state, static_cast<int>(k), b,
                  side_of(facet.pair, state_.pairs[facet.pair].master[covering[k]][b]), matrix);
   const std::vector<int> columns = columns_of(facet, nodes);
-  add(rows_of(facet, nodes), columns, matrix.values(), values);
-  add(creepage_numbers_, columns, matrix.force_on_slave(), values);
+  std::vector<int> rows = rows_of(facet, nodes);
+  if (!acts(facet, tangent.facet, state)) rows.resize(corners * (1 + dim));  // lambda and r
+  add(rows, columns, matrix.values(), values);
+  if (!creepage_numbers_.empty()) add(creepage_numbers_, columns, matrix.force_on_slave(), values);
   add(mean_number(facet.pair), columns, matrix.mean(), values);
 }
 
@@ -109,17 +111,19 @@ void MortarTerm<dim>::add_master(const SlaveFacet& facet, const Surfaces& at, in
   }
 }
 
-/// Whether J depends on the sums of a facet: not where it is open and shares nothing with what
-/// wears.
+/// Whether forces or wear depend on the sums of a facet: not where it is open and shares nothing
+/// with what wears.
 template <int dim>
-bool MortarTerm<dim>::adds(const SlaveFacet& facet, const MortarFacet<dim>& sums,
+bool MortarTerm<dim>::acts(const SlaveFacet& facet, const MortarFacet<dim>& sums,
                            const Surfaces& at) const {
-  if (state_.path || !mean_numbers_.empty()) return !sums.masters.empty();
-  const auto acts = [&](int side) { return at.sides[side].active || at.sides[side].direction; };
+  if (!mean_numbers_.empty()) return !sums.masters.empty();
+  const auto is_loaded = [&](int side) {
+    return at.sides[side].active || at.sides[side].direction;
+  };
   return std::ranges::any_of(sums.masters, [&](const auto& covering) {
-    return std::ranges::any_of(facet.sides, acts) ||
+    return std::ranges::any_of(facet.sides, is_loaded) ||
            std::ranges::any_of(state_.pairs[facet.pair].master[covering.facet],
-                               [&](int node) { return acts(side_of(facet.pair, node)); });
+                               [&](int node) { return is_loaded(side_of(facet.pair, node)); });
   });
 }
 
@@ -133,7 +137,9 @@ void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight
       add_path(at, sides_[s], result.sides[s], rate_weight, values);
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (!adds(facets_[f], (*result.facets)[f], result)) continue;
+    const MortarFacet<dim>& sums = (*result.facets)[f];
+    const bool has_places = state_.path && !sums.masters.empty();
+    if (!has_places && !acts(facets_[f], sums, result)) continue;
     // One after the other: in space each is large.
     const auto [slave, masters] = places_of(facets_[f], at, result);
     const MortarFacetTangent<dim> tangent(slave, masters, facets_[f].masters, state_.section,

@@ -204,7 +204,7 @@ private:
                          std::span<double> F) const;
   void add_path(const Evaluation<dim>& at, const Side& side, const SideState& state,
                 double rate_weight, std::span<double> values) const;
-  bool adds(const SlaveFacet& facet, const MortarFacet<dim>& sums, const Surfaces& at) const;
+  bool acts(const SlaveFacet& facet, const MortarFacet<dim>& sums, const Surfaces& at) const;
   void add_facet(const Evaluation<dim>& at, const SlaveFacet& facet,
                  const MortarFacetTangent<dim>& tangent, const Surfaces& state,
                  std::span<double> values) const;
