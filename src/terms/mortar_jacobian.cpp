@@ -8,12 +8,26 @@ namespace gnomon {
 template <int dim>
 void MortarTerm<dim>::add(const std::vector<int>& rows, const std::vector<int>& columns,
                           const Eigen::MatrixXd& K, std::span<double> values) const {
-  for (std::size_t j = 0; j < columns.size(); ++j)
-    for (std::size_t i = 0; columns[j] >= 0 && i < rows.size(); ++i) {
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (columns[j] < 0) continue;
+    int next = pattern_->column_start[columns[j]];  // rows of a node follow each other
+    const int end = pattern_->column_start[columns[j] + 1];
+    for (std::size_t i = 0; i < rows.size(); ++i) {
       const double value = K(Eigen::Index(i), Eigen::Index(j));
       if (rows[i] < 0 || value == 0) continue;  // corners that are open have many
-      if (const int at = pattern_->find(rows[i], columns[j]); at >= 0) values[at] += value;
+      const bool follows = next < end && pattern_->row_index[next] == rows[i];
+      const int at = follows ? next : pattern_->find(rows[i], columns[j]);
+      if (at < 0) continue;
+      values[at] += value;
+      next = at + 1;
     }
+  }
+}
+
+template <int dim>
+void MortarTerm<dim>::add(int row, int column, double value, std::span<double> values) const {
+  if (row < 0 || column < 0) return;
+  if (const int at = pattern_->find(row, column); at >= 0) values[at] += value;
 }
 
 /// What does not depend on the sums of single facets.
@@ -21,13 +35,11 @@ template <int dim>
 void MortarTerm<dim>::add_side(const Evaluation<dim>& at, const Side& side, const SideState& state,
                                std::span<double> values) const {
   const ContactPatch<dim>& own = patch(side);
-  if (side.slave && !holds_gap(state)) {
-    const int number = lambda_number(side);
-    add({number}, {number}, Eigen::MatrixXd::Constant(1, 1, -1 / state_.rho), values);
-  }
+  if (side.slave && !holds_gap(state))
+    add(lambda_number(side), lambda_number(side), -1 / state_.rho, values);
   const std::vector<int> mean = mean_number(side.pair);
   if (side.slave && !mean.empty())
-    add(mean, mean, Eigen::MatrixXd::Constant(1, 1, mean_part(at, side, state).by_mean), values);
+    add(mean.front(), mean.front(), mean_part(at, side, state).by_mean, values);
   if (!state.direction) return;
   const Eigen::Index count = std::ssize(own.nodes);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(dim, 2 * count * dim);
@@ -150,9 +162,11 @@ void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight
 
 template void MortarTerm<2>::add(const std::vector<int>&, const std::vector<int>&,
                                  const Eigen::MatrixXd&, std::span<double>) const;
+template void MortarTerm<2>::add(int, int, double, std::span<double>) const;
 template void MortarTerm<2>::add_jacobian(const Evaluation<2>&, double, std::span<double>) const;
 template void MortarTerm<3>::add(const std::vector<int>&, const std::vector<int>&,
                                  const Eigen::MatrixXd&, std::span<double>) const;
+template void MortarTerm<3>::add(int, int, double, std::span<double>) const;
 template void MortarTerm<3>::add_jacobian(const Evaluation<3>&, double, std::span<double>) const;
 
 }  // namespace gnomon

@@ -149,19 +149,16 @@ void MortarTerm<dim>::add_path(const Evaluation<dim>& at, const Side& side, cons
       sticking.constraint_by_depth * of.initial_normal.transpose();
   add(rows, numbers_of(of.nodes, false), by_nodes, values);
   const SlipMemory& memory = state_.path->memory;
-  const auto put = [&](int row, int column, double value) {
-    add({row}, {column}, Eigen::MatrixXd::Constant(1, 1, value), values);
-  };
   for (int i = 0; i < dim; ++i) {
     const int r = place_number(side, i);
-    put(r, r, 1);
+    add(r, r, 1, values);
     const auto& parts = state_.path->before[side.node];
     for (std::size_t k = 0; !(state.area > 0) && k < parts.size(); ++k)
-      put(r, own[before_0 + dim * k + i], -parts[k].factor);
+      add(r, own[before_0 + dim * k + i], -parts[k].factor, values);
     if (!state_.path->is_last) continue;
     const int s = memory_numbers_(side.node, i);
-    put(s, r, -1 / memory.period);
-    put(s, s, memory.by_s(at, side.node, rate_weight));
+    add(s, r, -1 / memory.period, values);
+    add(s, s, memory.by_s(at, side.node, rate_weight), values);
   }
 }
 

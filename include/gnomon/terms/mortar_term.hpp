@@ -245,6 +245,7 @@ private:
   std::vector<int> numbers_of(const std::vector<int>& nodes, bool worn) const;
   void add(const std::vector<int>& rows, const std::vector<int>& columns, const Eigen::MatrixXd& K,
            std::span<double> values) const;
+  void add(int row, int column, double value, std::span<double> values) const;
 
   MortarState<dim> state_;
   std::vector<PairPlaces<dim>> places_;  // by pair
