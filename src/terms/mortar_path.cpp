@@ -69,6 +69,7 @@ void MortarTerm<dim>::find_sticking(const Evaluation<dim>& at, const Side& side,
   state.sticking.emplace(sticking_parameters(at, side),
                          sticking_input(at, side, state.normal->value), holds_gap(state), given);
   state.traction = state.sticking->traction;
+  if (!mixes_parts_) return;
   for (Eigen::RowVectorXd* by : {&state.traction.pressure_by_own, &state.traction.speed_by_own})
     *by = by_parts(side.node, *by);
   state.traction.by_own = by_parts(side.node, state.traction.by_own);

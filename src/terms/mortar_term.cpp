@@ -15,7 +15,10 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
       shape_is_unknown_(d_numbers_.size() > 0 && d_numbers_.maxCoeff() >= 0),
       contact_of_(state.mesh.nodes.size(), -1) {
   if (state.path)
-    for (const auto& parts : state.path->before) most_parts_ = std::max(most_parts_, parts.size());
+    for (const auto& parts : state.path->before) {
+      most_parts_ = std::max(most_parts_, parts.size());
+      mixes_parts_ = mixes_parts_ || parts.size() != 1 || parts.front().factor != 1;
+    }
   for (int c = 0; c < static_cast<int>(state.patches.size()); ++c) {
     contact_of_[static_cast<std::size_t>(state.patches[c].node)] = c;
     own_numbers_.push_back({numbering.number(state.lambda, c)});

@@ -256,6 +256,7 @@ private:
   std::vector<int> creepage_numbers_;          // by component; empty: all are given
   std::vector<int> mean_numbers_;              // by pair; empty: no law reads a mean
   std::size_t most_parts_ = 0;                 // of a place before
+  bool mixes_parts_ = false;                   // else each place before is one of another phase
   NodalNumbers<dim> memory_numbers_;           // of the last phase of a path
   std::vector<int> contact_of_;                // by mesh node; -1: none
   std::vector<std::map<int, int>> side_of_;    // by pair and mesh node
