@@ -38,6 +38,8 @@ public:
   void refresh(std::span<const double> J) {
     J_ = J;
     core_->refresh(J);
+    mesh_motion_row_.refresh(J);
+    multiplier_row_.refresh(J);
   }
   /// The cost of update(), in applications.
   double update_cost() const { return core_->update_cost(); }
@@ -65,9 +67,9 @@ public:
     std::copy(r.begin(), r.end(), work_.begin());
     std::fill(z.begin(), z.end(), 0.0);
     core_->solve(work_, z);
-    mesh_motion_row_.subtract(J_, z, work_);
+    mesh_motion_row_.subtract(z, work_);
     mesh_motion_.scatter(mesh_motion_.solve(work_), z);
-    multiplier_row_.subtract(J_, z, work_);
+    multiplier_row_.subtract(z, work_);
     for (int i : multipliers_) z[i] = work_[i] / J_[structure_.pattern.find(i, i)];
   }
 

@@ -67,6 +67,8 @@ public:
     J_ = J;
     contacts_.update(J);
     wear_block_.factorize(J);
+    contact_columns_.refresh(J);
+    wear_by_displacement_.refresh(J);
   }
   double update_cost() const override {
     const auto missing = static_cast<double>(compliance_.missing(contacts_.touched()));
@@ -104,11 +106,11 @@ public:
     stiffness_.scatter(stiffness_.solve(s), z);
     make_right_sides(s, z);
     solve_contact();
-    contact_columns_.subtract(J_, contact_, s);
+    contact_columns_.subtract(contact_, s);
     stiffness_.scatter(stiffness_.solve(s), z);
     for (const PhaseContact& phase : contacts_.phases())
       for (int i : phase.y) z[i] = contact_[i];
-    wear_by_displacement_.subtract(J_, z, s);
+    wear_by_displacement_.subtract(z, s);
     wear_block_.solve(s, z);
   }
 
@@ -164,7 +166,7 @@ private:
         z[l] = own == 0 ? s[l] : s[l] / own;
       }
     }
-    contact_columns_.subtract(J_, z, s);
+    contact_columns_.subtract(z, s);
   }
 
   /// f of every phase, and q.

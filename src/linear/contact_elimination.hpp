@@ -72,13 +72,13 @@ public:
 
   /// Takes the values of J; the span must outlive their use.
   void update(std::span<const double> J) {
-    J_ = J;
     entries_.update(J);
     for (std::size_t c = 0; c < contact_.size(); ++c) update_contact(c);
     share_surfaces();
     for (ContactSpring& node : contact_) node.set_spring();
     for (SurfaceNode& node : surface_) update_gamma(node);
     find_moved_springs();
+    wear_row_.refresh(J);
     wear_block_.factorize(J);
   }
 
@@ -134,7 +134,7 @@ public:
     }
     solve_D(work_);
     for (std::size_t i = 0; i < contact_.size(); ++i) z[entries_.nodes()[i].multiplier] = work_[i];
-    wear_row_.subtract(J_, z, s);
+    wear_row_.subtract(z, s);
     wear_block_.solve(s, z);
   }
 
@@ -255,7 +255,6 @@ private:
   }
 
   const bool follows_springs_;
-  std::span<const double> J_;
   ContactEntries entries_;
   std::vector<SurfaceNode> surface_;
   std::vector<ContactSpring> contact_;  // by node of entries_

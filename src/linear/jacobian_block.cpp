@@ -29,13 +29,18 @@ JacobianBlock::JacobianBlock(const Structure& structure, Roles rows, Roles colum
   for (int j = 0; j < static_cast<int>(column.size()); ++j) {
     if (!column[j]) continue;
     for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-      if (const int i = pattern.row_index[k]; row[i]) entries_.push_back({i, j, k});
+      if (const int i = pattern.row_index[k]; row[i]) places_.push_back({i, j, k});
   }
 }
 
-void JacobianBlock::subtract(std::span<const double> J, std::span<const double> x,
-                             std::span<double> y) const {
-  for (const Entry& entry : entries_) y[entry.row] -= J[entry.position] * x[entry.column];
+void JacobianBlock::refresh(std::span<const double> J) {
+  entries_.clear();
+  for (const Place& of : places_)
+    if (J[of.position] != 0) entries_.push_back({of.row, of.column, J[of.position]});
+}
+
+void JacobianBlock::subtract(std::span<const double> x, std::span<double> y) const {
+  for (const Entry& entry : entries_) y[entry.row] -= entry.value * x[entry.column];
 }
 
 SymmetricPart::SymmetricPart(const SparsePattern& pattern, const std::vector<int>& unknowns,

@@ -54,6 +54,8 @@ public:
   void refresh(std::span<const double> J) override {
     J_ = J;
     blocks_.refresh(J);
+    for (JacobianBlock* block : {&contact_columns_, &following_rows_, &slow_rows_})
+      block->refresh(J);
   }
   double update_cost() const override {
     return in_applications(column_cost_ *
@@ -87,7 +89,7 @@ public:
       const std::vector<int>& y = blocks_.phases()[p].y;
       for (std::size_t k = 0; k < y.size(); ++k) contact_[y[k]] = phases_[p].solution[long(k)];
     }
-    contact_columns_.subtract(J_, contact_, s);
+    contact_columns_.subtract(contact_, s);
     stiffness_.scatter(stiffness_.solve(s), z);
     for (const PathBlocks::Phase& phase : blocks_.phases())
       for (const int i : phase.y) z[i] = contact_[i];
@@ -139,7 +141,7 @@ private:
           const double own = blocks_.at(i, i);
           z[i] = own == 0 ? s[i] : s[i] / own;
         }
-    contact_columns_.subtract(J_, z, s);
+    contact_columns_.subtract(z, s);
   }
 
   static Eigen::VectorXd of(std::span<const double> values, const std::vector<int>& unknowns) {
@@ -183,11 +185,11 @@ private:
         z[i] = slow_solution_[blocks_.number(i)];
       else
         solve_row(i);
-    following_rows_.subtract(J_, z, s);
+    following_rows_.subtract(z, s);
     for (const PathBlocks::Phase& phase : blocks_.phases())
       for (const int i : phase.all_y)
         if (blocks_.follows(i)) solve_row(i);
-    slow_rows_.subtract(J_, z, s);
+    slow_rows_.subtract(z, s);
     for (const int i : blocks_.slow())
       if (blocks_.number(i) < 0) solve_row(i);
   }

@@ -30,6 +30,7 @@ public:
   void refresh(std::span<const double> J) override {
     J_ = J;
     contact_.update(J);
+    for (JacobianBlock* block : {&rigid_row_, &rigid_block_, &rigid_column_}) block->refresh(J);
     terms_ = contact_.low_rank_terms(stiffness_.part());
     bordered_ = false;
   }
@@ -80,11 +81,11 @@ private:
       std::fill(column.begin(), column.end(), 0.0);
       std::vector<double> unit(column.size()), right(column.size());
       unit[w] = -1;
-      rigid_column_.subtract(J_, unit, right);
+      rigid_column_.subtract(unit, right);
       solve_free(right, column);
       std::fill(right.begin(), right.end(), 0.0);
-      rigid_row_.subtract(J_, column, right);
-      rigid_block_.subtract(J_, unit, right);
+      rigid_row_.subtract(column, right);
+      rigid_block_.subtract(unit, right);
       for (Eigen::Index l = 0; l < count; ++l)
         complement(l, k) = right[rigid_[static_cast<std::size_t>(l)]];
       // Nothing carries the force: the outer iteration will fail.
@@ -95,7 +96,7 @@ private:
   }
 
   void solve_rigid(std::span<double> s, std::span<double> z) const {
-    rigid_row_.subtract(J_, z, s);
+    rigid_row_.subtract(z, s);
     Eigen::VectorXd right(static_cast<Eigen::Index>(rigid_.size()));
     for (std::size_t k = 0; k < rigid_.size(); ++k)
       right[static_cast<Eigen::Index>(k)] = s[rigid_[k]];

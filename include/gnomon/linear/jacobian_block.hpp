@@ -15,18 +15,25 @@ using Roles = std::initializer_list<Role>;
 std::vector<int> unknowns_of(const Structure& structure, Roles roles);
 
 /// The entries of J in rows of some roles and columns of others. Vectors have the system's size.
+/// Most of those of contact are zero: an interface declares all that may touch.
 class JacobianBlock {
 public:
   JacobianBlock(const Structure& structure, Roles rows, Roles columns);
 
-  /// y -= J x over the block.
-  void subtract(std::span<const double> J, std::span<const double> x, std::span<double> y) const;
+  void refresh(std::span<const double> J);
+  /// y -= J x over the block, of the last refresh().
+  void subtract(std::span<const double> x, std::span<double> y) const;
 
 private:
-  struct Entry {
+  struct Place {
     int row, column, position;
   };
-  std::vector<Entry> entries_;
+  struct Entry {
+    int row, column;
+    double value;
+  };
+  std::vector<Place> places_;
+  std::vector<Entry> entries_;  // that are not zero
 };
 
 /// The symmetric part of a diagonal block, numbered 0, 1, ... in ascending order of its unknowns.
