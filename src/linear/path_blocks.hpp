@@ -9,7 +9,6 @@
 #include <map>
 #include <set>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "linear/contact_entries.hpp"
@@ -40,6 +39,7 @@ public:
   /// `structure` must outlive the object.
   PathBlocks(const Structure& structure, const StiffnessBlock& stiffness)
       : structure_(structure), phases_(stiffness.owners()), place_(structure.size) {
+    for (int i = 0; i < structure.size; ++i) own_.push_back(structure.pattern.find(i, i));
     find_points();
     find_roles(stiffness);
   }
@@ -53,13 +53,13 @@ public:
   }
   /// Makes the blocks of J.
   void gather() {
-    const std::map<BlockKey, Entries> entries = sorted_entries();
+    const std::vector<Entries> entries = sorted_entries();
     std::vector<Sparse> E_v, E_g;
     for (std::size_t p = 0; p < phases_.size(); ++p) {
       const auto block = [&](Kind row, Kind column, bool before = false) {
         Sparse matrix(size_of(row, p), before && p == 0 ? 0 : size_of(column, p - before));
-        if (const auto found = entries.find({p, row, column, before}); found != entries.end())
-          matrix.setFromTriplets(found->second.begin(), found->second.end());
+        const Entries& of = entries[block_of(p, row, column, before)];
+        matrix.setFromTriplets(of.begin(), of.end());
         return matrix;
       };
       Phase& phase = phases_[p];
@@ -76,8 +76,7 @@ public:
       phase.g_by_e = block(Kind::g, Kind::e);
       if (p == 0) g_by_g_ = block(Kind::g, Kind::g);
       Eigen::VectorXd own(std::ssize(phase.e));
-      for (Eigen::Index k = 0; k < own.size(); ++k)
-        own[k] = at(phase.e[std::size_t(k)], phase.e[std::size_t(k)]);
+      for (Eigen::Index k = 0; k < own.size(); ++k) own[k] = this->own(phase.e[std::size_t(k)]);
       E_v.push_back(own.cwiseInverse().asDiagonal() * block(Kind::e, Kind::u));
       E_g.push_back(own.cwiseInverse().asDiagonal() * block(Kind::e, Kind::g));
     }
@@ -96,16 +95,18 @@ public:
   /// Of an unknown among v, y, e or g of its phase; -1: it is none of these.
   int number(int unknown) const { return place_[unknown].number; }
   bool follows(int unknown) const { return place_[unknown].kind == Kind::e; }
-  double at(int row, int column) const {
-    const int position = structure_.pattern.find(row, column);
-    return position < 0 ? 0 : J_[position];
-  }
+  /// On the diagonal of J, which patterns have.
+  double own(int unknown) const { return J_[own_[unknown]]; }
 
 private:
   using Entries = std::vector<Eigen::Triplet<double>>;
   enum class Kind : char { other, u, y, e, g };
-  /// Of a phase: kinds of row and column, and whether the column is of the phase before.
-  using BlockKey = std::tuple<std::size_t, Kind, Kind, bool>;
+  static constexpr std::size_t kinds = 5;
+  /// The number of the block of a phase with these kinds of row and column; `before`: the column is
+  /// of the phase before.
+  static std::size_t block_of(std::size_t phase, Kind row, Kind column, bool before) {
+    return 2 * (kinds * (kinds * phase + std::size_t(row)) + std::size_t(column)) + before;
+  }
   /// What an unknown is.
   struct Place {
     Kind kind = Kind::other;
@@ -171,7 +172,7 @@ private:
   void find_following() {
     for (const Phase& phase : phases_)
       for (const int i : phase.all_y)
-        place_[i].kind = place_[i].point >= 0 && at(i, i) != 0 ? Kind::e : Kind::y;
+        place_[i].kind = place_[i].point >= 0 && own(i) != 0 ? Kind::e : Kind::y;
     std::vector<char> not_alone(place_.size(), 0);
     const auto find = [&](int row, int column, double) {
       if (place_[row].of_contact() && row != column) not_alone[row] = 1;
@@ -235,16 +236,18 @@ private:
     if (kind == Kind::u) return v_size();
     return std::ssize(kind == Kind::y ? phases_[phase].y : phases_[phase].e);
   }
-  std::map<BlockKey, Entries> sorted_entries() const {
-    std::map<BlockKey, Entries> entries;
+  std::vector<Entries> sorted_entries() const {
+    std::vector<Entries> entries(block_of(phases_.size(), Kind::other, Kind::other, false));
     for (const Kind kind : {Kind::u, Kind::y, Kind::e, Kind::g})
       for_entries(kind, [&](int i, int j, double value) {
         const Place &row = place_[i], &column = place_[j];
         if (row.number < 0 || column.number < 0) return;
+        if (row.kind == Kind::u && column.kind != Kind::y) return;  // that of the stiffness
         const bool shared = row.kind == Kind::g || column.kind == Kind::g;
-        const int phase = row.kind == Kind::g ? column.phase : row.phase;
-        entries[{phase, row.kind, column.kind, !shared && row.phase != column.phase}].emplace_back(
-            row.number, column.number, value);
+        const auto phase = static_cast<std::size_t>(row.kind == Kind::g ? column.phase : row.phase);
+        const bool before = !shared && row.phase != column.phase;
+        entries[block_of(phase, row.kind, column.kind, before)].emplace_back(row.number,
+                                                                             column.number, value);
       });
     return entries;
   }
@@ -264,6 +267,7 @@ private:
   const Structure& structure_;
   std::span<const double> J_;
   std::vector<Phase> phases_;
+  std::vector<int> own_;         // by unknown: the position of its diagonal entry in J
   std::vector<Place> place_;     // by unknown
   std::map<int, int> point_of_;  // by Structure::group
   std::vector<NodeUnknowns> points_;

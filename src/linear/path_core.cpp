@@ -138,7 +138,7 @@ private:
     for (const PathBlocks::Phase& phase : blocks_.phases())
       for (const int i : phase.all_y)
         if (blocks_.follows(i) || blocks_.number(i) < 0) {
-          const double own = blocks_.at(i, i);
+          const double own = blocks_.own(i);
           z[i] = own == 0 ? s[i] : s[i] / own;
         }
     contact_columns_.subtract(z, s);
@@ -179,7 +179,7 @@ private:
 
   /// g of all points, and what follows: the memory of open nodes last.
   void solve_slow(std::span<double> s, std::span<double> z) const {
-    const auto solve_row = [&](int i) { z[i] = s[i] / blocks_.at(i, i); };
+    const auto solve_row = [&](int i) { z[i] = s[i] / blocks_.own(i); };
     for (const int i : blocks_.slow())
       if (blocks_.number(i) >= 0)
         z[i] = slow_solution_[blocks_.number(i)];
