@@ -68,7 +68,7 @@ void MortarTerm<dim>::find_sticking(const Evaluation<dim>& at, const Side& side,
   if (!at.branch.empty()) given = at.branch[side.first_switch + 1] != 0;
   state.sticking.emplace(sticking_parameters(at, side),
                          sticking_input(at, side, state.normal->value), holds_gap(state), given);
-  state.traction = state.sticking->traction;
+  state.traction = std::move(state.sticking->traction);
   if (!mixes_parts_) return;
   for (Eigen::RowVectorXd* by : {&state.traction.pressure_by_own, &state.traction.speed_by_own})
     *by = by_parts(side.node, *by);

@@ -99,6 +99,8 @@ void MortarTerm<dim>::find_traction(const Evaluation<dim>& at, const Side& side,
     state.traction = {SlidingTraction<dim>(patch(side), state.normal->value, x,
                                            places_[side.pair].motion, pair(side).friction),
                       lambda};
+  } else {
+    state.traction = MortarTraction<dim>(1);
   }
   state.load = -state.lambda * state.area;
   state.rubbing = state.traction.pressure * state.area;
@@ -180,10 +182,10 @@ typename MortarTerm<dim>::Surfaces MortarTerm<dim>::geometry(const Evaluation<di
     const PatchNodal<dim> x = positions(at, patch(side), &place(side));
     const auto along = pair(side).along.find(patch(side).node);
     const Tensor<dim>& turn = place(side).turn;
-    state.normal.emplace(patch(side), x,
-                         along == pair(side).along.end()
-                             ? Tensor<dim>(Tensor<dim>::Identity())
-                             : Tensor<dim>(turn * along->second * turn.transpose()));
+    state.normal = std::make_shared<const NodeNormal<dim>>(
+        patch(side), x,
+        along == pair(side).along.end() ? Tensor<dim>(Tensor<dim>::Identity())
+                                        : Tensor<dim>(turn * along->second * turn.transpose()));
   }
   add_facets(at, result);
   geometry_ = Geometry{u, d, std::move(result)};

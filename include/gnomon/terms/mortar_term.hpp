@@ -133,8 +133,8 @@ private:
     bool active = false;
     Vector<dim> force = Vector<dim>::Zero();     ///< in space
     Vector<dim> covering = Vector<dim>::Zero();  ///< of a slave sum_j M_ij (X_j + d_j) [volume]
-    std::optional<NodeNormal<dim>> normal{};     ///< of a slave
-    MortarTraction<dim> traction{};              ///< of a slave
+    std::shared_ptr<const NodeNormal<dim>> normal{};  ///< of a slave
+    MortarTraction<dim> traction{0};                  ///< of a slave
     std::optional<StickingTraction<dim>> sticking{};  ///< of a slave where friction may stick
     std::optional<WearDirection<dim>> direction{};
     WearRate rate{};

@@ -20,7 +20,7 @@ struct MortarTraction {
   OfVector speed_by_n = OfVector::Zero(), speed_by_x = OfVector::Zero();
 
   /// Of no traction, with so many unknowns.
-  explicit MortarTraction(int unknowns = 1)
+  explicit MortarTraction(int unknowns)
       : by_own(dim, unknowns), pressure_by_own(unknowns), speed_by_own(unknowns) {
     by_own.setZero();
     pressure_by_own.setZero();
