@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <gnomon/linear/jacobian_block.hpp>
 #include <gnomon/system/system.hpp>
 #include <map>
 #include <set>
@@ -38,7 +39,14 @@ public:
 
   /// `structure` must outlive the object.
   PathBlocks(const Structure& structure, const StiffnessBlock& stiffness)
-      : structure_(structure), phases_(stiffness.owners()), place_(structure.size) {
+      : structure_(structure),
+        phases_(stiffness.owners()),
+        pressed_(structure, {Role::stiffness}, {Role::multiplier, Role::friction, Role::rigid}),
+        rows_(structure,
+              {Role::multiplier, Role::friction, Role::rigid, Role::evolution, Role::memory},
+              {Role::stiffness, Role::multiplier, Role::friction, Role::rigid, Role::evolution,
+               Role::memory}),
+        place_(structure.size) {
     for (int i = 0; i < structure.size; ++i) own_.push_back(structure.pattern.find(i, i));
     find_points();
     find_roles(stiffness);
@@ -47,6 +55,8 @@ public:
   /// Takes the values of J, which must outlive their use, and finds what touches.
   void refresh(std::span<const double> J) {
     J_ = J;
+    pressed_.refresh(J);
+    rows_.refresh(J);
     find_following();
     find_touched();
     number();
@@ -116,15 +126,11 @@ private:
     bool of_contact() const { return kind == Kind::y || kind == Kind::e; }
   };
 
-  /// Calls with row, column and value of the entries that are not zero.
+  /// Calls with row, column and value of the entries that are not zero, without the stiffness.
   template <class Call>
-  void for_entries(Kind column, const Call& call) const {
-    const SparsePattern& pattern = structure_.pattern;
-    for (int j = 0; j < structure_.size; ++j) {
-      if (place_[j].kind != column) continue;
-      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-        if (J_[k] != 0) call(pattern.row_index[k], j, J_[k]);
-    }
+  void for_entries(const Call& call) const {
+    for (const JacobianBlock* block : {&pressed_, &rows_})
+      for (const auto& [row, column, value] : block->entries()) call(row, column, value);
   }
   bool is_solved(const Place& y) const { return y.point < 0 || closed_[y.phase][y.point]; }
   Role role(int i) const { return structure_.block_of(i).role; }
@@ -174,12 +180,11 @@ private:
       for (const int i : phase.all_y)
         place_[i].kind = place_[i].point >= 0 && own(i) != 0 ? Kind::e : Kind::y;
     std::vector<char> not_alone(place_.size(), 0);
-    const auto find = [&](int row, int column, double) {
+    for_entries([&](int row, int column, double) {
+      if (!place_[column].of_contact()) return;
       if (place_[row].of_contact() && row != column) not_alone[row] = 1;
       if (role(row) == Role::stiffness || role(row) == Role::rigid) not_alone[column] = 1;
-    };
-    for_entries(Kind::y, find);
-    for_entries(Kind::e, find);
+    });
     for (const Phase& phase : phases_)
       for (const int i : phase.all_y)
         if (not_alone[i]) place_[i].kind = Kind::y;
@@ -189,20 +194,21 @@ private:
   void find_touched() {
     std::vector<char> touched(points_.size(), 0);
     closed_.assign(phases_.size(), touched);
-    for_entries(Kind::u, [&](int i, int, double) {
-      if (const Place& row = place_[i]; row.kind == Kind::y && row.point >= 0)
-        closed_[row.phase][row.point] = touched[row.point] = 1;
+    const auto of_point = [&](int i) { return place_[i].kind == Kind::y && place_[i].point >= 0; };
+    for_entries([&](int i, int j, double) {
+      if (place_[j].kind == Kind::u && of_point(i))
+        closed_[place_[i].phase][place_[i].point] = touched[place_[i].point] = 1;
     });
     is_put_in_.assign(place_.size(), 0);
     for (const Phase& phase : phases_)
       for (const int i : phase.all_y)
         if (place_[i].kind == Kind::e) is_put_in_[i] = touched[place_[i].point];
-    for_entries(Kind::e, [&](int i, int j, double) {  // in rolling, of open nodes upstream
-      if (const Place& row = place_[i]; row.kind == Kind::y && is_solved(row)) is_put_in_[j] = 1;
+    for_entries([&](int i, int j, double) {  // in rolling, of open nodes upstream
+      if (place_[j].kind == Kind::e && place_[i].kind == Kind::y && is_solved(place_[i]))
+        is_put_in_[j] = 1;
     });
-    for_entries(Kind::u, [&](int i, int j, double) {
-      if (const Place& row = place_[i]; is_put_in_[i] || (row.kind == Kind::y && row.point >= 0))
-        touched[place_[j].point] = 1;
+    for_entries([&](int i, int j, double) {
+      if (place_[j].kind == Kind::u && (is_put_in_[i] || of_point(i))) touched[place_[j].point] = 1;
     });
     touched_.clear();
     for (std::size_t point = 0; point < touched.size(); ++point)
@@ -238,17 +244,15 @@ private:
   }
   std::vector<Entries> sorted_entries() const {
     std::vector<Entries> entries(block_of(phases_.size(), Kind::other, Kind::other, false));
-    for (const Kind kind : {Kind::u, Kind::y, Kind::e, Kind::g})
-      for_entries(kind, [&](int i, int j, double value) {
-        const Place &row = place_[i], &column = place_[j];
-        if (row.number < 0 || column.number < 0) return;
-        if (row.kind == Kind::u && column.kind != Kind::y) return;  // that of the stiffness
-        const bool shared = row.kind == Kind::g || column.kind == Kind::g;
-        const auto phase = static_cast<std::size_t>(row.kind == Kind::g ? column.phase : row.phase);
-        const bool before = !shared && row.phase != column.phase;
-        entries[block_of(phase, row.kind, column.kind, before)].emplace_back(row.number,
-                                                                             column.number, value);
-      });
+    for_entries([&](int i, int j, double value) {
+      const Place &row = place_[i], &column = place_[j];
+      if (row.number < 0 || column.number < 0) return;
+      const bool shared = row.kind == Kind::g || column.kind == Kind::g;
+      const auto phase = static_cast<std::size_t>(row.kind == Kind::g ? column.phase : row.phase);
+      const bool before = !shared && row.phase != column.phase;
+      entries[block_of(phase, row.kind, column.kind, before)].emplace_back(row.number,
+                                                                           column.number, value);
+    });
     return entries;
   }
 
@@ -267,9 +271,10 @@ private:
   const Structure& structure_;
   std::span<const double> J_;
   std::vector<Phase> phases_;
-  std::vector<int> own_;         // by unknown: the position of its diagonal entry in J
-  std::vector<Place> place_;     // by unknown
-  std::map<int, int> point_of_;  // by Structure::group
+  JacobianBlock pressed_, rows_;  // of forces, and of all others
+  std::vector<int> own_;          // by unknown: the position of its diagonal entry in J
+  std::vector<Place> place_;      // by unknown
+  std::map<int, int> point_of_;   // by Structure::group
   std::vector<NodeUnknowns> points_;
   bool has_partners_ = false;
   std::vector<int> slow_;

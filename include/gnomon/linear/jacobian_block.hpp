@@ -18,9 +18,15 @@ std::vector<int> unknowns_of(const Structure& structure, Roles roles);
 /// Most of those of contact are zero: an interface declares all that may touch.
 class JacobianBlock {
 public:
+  struct Entry {
+    int row, column;
+    double value;
+  };
   JacobianBlock(const Structure& structure, Roles rows, Roles columns);
 
   void refresh(std::span<const double> J);
+  /// Those that are not zero, of the last refresh().
+  const std::vector<Entry>& entries() const { return entries_; }
   /// y -= J x over the block, of the last refresh().
   void subtract(std::span<const double> x, std::span<double> y) const;
 
@@ -28,12 +34,8 @@ private:
   struct Place {
     int row, column, position;
   };
-  struct Entry {
-    int row, column;
-    double value;
-  };
   std::vector<Place> places_;
-  std::vector<Entry> entries_;  // that are not zero
+  std::vector<Entry> entries_;
 };
 
 /// The symmetric part of a diagonal block, numbered 0, 1, ... in ascending order of its unknowns.
