@@ -21,6 +21,27 @@ void compare_with_central(int next, double h, double H, Upstream& at) {
   at.upwind[2].second += H / (h * (h + H));
 }
 
+/// Those of a line, in the order in which material passes its nodes. The first node of a line with
+/// ends has none upstream.
+template <int dim>
+void add_line(const Mesh<dim>& mesh, const std::vector<int>& line, bool closed,
+              std::vector<Upstream>& result) {
+  const std::size_t count = line.size();
+  const auto node = [&](std::size_t k) { return line[k % count]; };
+  const auto distance = [&](std::size_t a, std::size_t b) {
+    return (mesh.nodes[static_cast<std::size_t>(node(b))] -
+            mesh.nodes[static_cast<std::size_t>(node(a))])
+        .norm();
+  };
+  if (!closed && count > 1) result.push_back({line[1], {{line[0], 1}}, distance(0, 1)});
+  for (std::size_t k = 2; k < (closed ? count + 2 : count); ++k) {
+    result.push_back(
+        second_order(node(k), node(k - 1), node(k - 2), distance(k - 1, k), distance(k - 2, k)));
+    if (closed || k + 1 < count)
+      compare_with_central(node(k + 1), distance(k - 1, k), distance(k, k + 1), result.back());
+  }
+}
+
 }  // namespace
 
 template <int dim>
@@ -38,21 +59,8 @@ std::vector<Upstream> upstream_of(const Assembly<dim>& assembly) {
     if (!surface.track) continue;
     SurfaceLines lines = lines_of_surface(assembly.mesh, surface.facets, surface.track->along);
     for (std::vector<int>& line : lines.nodes) {
-      const auto distance = [&](std::size_t a, std::size_t b) {
-        return (assembly.mesh.nodes[static_cast<std::size_t>(line[b])] -
-                assembly.mesh.nodes[static_cast<std::size_t>(line[a])])
-            .norm();
-      };
-      for (std::size_t k = 1; k < line.size(); ++k) {
-        if (k == 1) {
-          result.push_back({line[1], {{line[0], 1}}, distance(0, 1)});
-          continue;
-        }
-        result.push_back(second_order(line[k], line[k - 1], line[k - 2], distance(k - 1, k),
-                                      distance(k - 2, k)));
-        if (k + 1 < line.size())
-          compare_with_central(line[k + 1], distance(k - 1, k), distance(k, k + 1), result.back());
-      }
+      if (surface.track->along.clockwise) std::ranges::reverse(line);
+      add_line(assembly.mesh, line, lines.closed, result);
     }
   }
   std::erase_if(result, [&](const Upstream& at) {

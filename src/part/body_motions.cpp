@@ -178,10 +178,10 @@ RollingBody<dim> read_rolling_body(const Scene& scene, const AssemblyParts<dim>&
       result.force[k] = scene.real(key);
   const std::string rotation = table + ".rotation";
   if (!scene.given(rotation) || scene.real(rotation) == 0) return result;
-  if (dim == 2)
+  result.on_axle = !scene.given(table + ".velocity");
+  if (dim == 2 && !result.on_axle)
     refuse(scene, rotation,
-           "none in the plane where bodies roll: the velocity is that of the material where it "
-           "touches");
+           "either a rotation about the axle or the velocity of the material where it touches");
   const CycleAxis<dim> axis = read_axis<dim>(scene, table, rotation, Section::plane);
   result.spin = scene.real(rotation) * axis.spin;
   result.centre = axis.centre;

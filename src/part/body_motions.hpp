@@ -25,6 +25,7 @@ struct RollingBody {
   Vector<dim> velocity = Vector<dim>::Zero();  ///< [length / time]
   Tensor<dim> spin = Tensor<dim>::Zero();      ///< about `centre` [1 / time]
   Vector<dim> centre = Vector<dim>::Zero();
+  bool on_axle = false;  ///< the spin is that about the axle, in the place of a velocity
   /// On the body along its velocity and across it; given: it determines the velocity [force].
   std::array<std::optional<double>, 2> force = {};
   std::string table = {};  ///< of the scene; empty: it is at rest

@@ -62,13 +62,39 @@ void require_along_each_other(const Scene& scene, const std::array<RollingBody<d
                        bodies[1].table));
 }
 
+/// Of a body that turns about an axle, where its facets face along `outward`.
+template <int dim>
+Vector<dim> velocity_of_rim(const Scene& scene, const RollingBody<dim>& body, const Mesh<dim>& mesh,
+                            const Facets<dim>& facets, const Vector<dim>& outward) {
+  const auto facing = [&](const auto& facet) {
+    return facet_normal<dim>(facet, mesh.nodes).dot(outward);
+  };
+  const auto& touches = *std::ranges::max_element(facets, {}, facing);
+  double radius = 0;  // along the outward normal: of a bore it is less than zero
+  for (const int node : touches) {
+    // Across the axis.
+    const Vector<dim> arm = body.spin * (mesh.nodes[static_cast<std::size_t>(node)] - body.centre);
+    const double size = arm.norm() / (body.spin * outward).norm();
+    if (size > std::abs(radius)) radius = std::copysign(size, arm.dot(body.spin * outward));
+  }
+  if ((body.spin * outward).norm() < along_surface * body.spin.norm())
+    refuse(scene, body.table + ".rotation",
+           "also the velocity of the material where it touches, beside a rotation about the normal "
+           "of the contact");
+  return radius * body.spin * outward;
+}
+
 /// The velocities of both bodies; alike along what a force determines, where the search begins.
 template <int dim>
 void read_velocities(const Scene& scene, const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
   std::array<RollingBody<dim>, 2> bodies;
   for (std::size_t side = 0; side < 2; ++side) {
-    bodies[side] = read_rolling_body(scene, parts, pair.bodies[side]);
-    pair.velocities[side] = bodies[side].velocity;
+    RollingBody<dim>& body = bodies[side] = read_rolling_body(scene, parts, pair.bodies[side]);
+    if (body.on_axle)
+      body.velocity =
+          velocity_of_rim<dim>(scene, body, parts.mesh, side == 0 ? pair.slave : pair.master,
+                               side == 0 ? Vector<dim>(-pair.approach) : pair.approach);
+    pair.velocities[side] = body.velocity;
   }
   require_along_each_other(scene, bodies);
   for (std::size_t side = 0; side < 2; ++side)
@@ -81,7 +107,7 @@ void read_velocities(const Scene& scene, const AssemblyParts<dim>& parts, Mortar
 template <int dim>
 void read_spin(const Scene& scene, const RollingBody<dim>& body, const Vector<dim>& approach,
                double rate, Rolling<dim>& rolling) {
-  if (body.spin.isZero(0)) return;
+  if (body.spin.isZero(0) || body.on_axle) return;
   const std::string key = body.table + ".rotation";
   if ((body.spin * approach).norm() > along_surface * body.spin.norm())
     refuse(scene, key,
@@ -101,7 +127,8 @@ Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts) {
   Rolling<dim> rolling{
       .velocity = V, .creepage = (V - other) / V.norm(), .linear = has_small_strains(parts.bodies)};
   for (const bool master : {false, true}) {
-    const auto body = read_rolling_body(scene, parts, pair.bodies[master]);
+    auto body = read_rolling_body(scene, parts, pair.bodies[master]);
+    if (body.on_axle) body.velocity = pair.velocities[master];
     read_forces(scene, body, pair, master, rolling);
     read_spin(scene, body, pair.approach, (master ? -1 : 1) / V.norm(), rolling);
   }

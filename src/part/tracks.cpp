@@ -50,7 +50,7 @@ std::optional<Streamlines<dim>> streamlines_of(const RigidMotion<dim>& motion) {
   if constexpr (dim == 2) {
     const double spin = motion.spin(1, 0);
     return Streamlines<2>{Vector<2>::Zero(),
-                          Vector<2>(motion.spin * motion.velocity / (spin * spin))};
+                          Vector<2>(motion.spin * motion.velocity / (spin * spin)), spin < 0};
   } else {
     const Vector<3> spin(motion.spin(2, 1), motion.spin(0, 2), motion.spin(1, 0)),
         v = motion.velocity;
@@ -161,9 +161,9 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
                       fmt::format("expected a [[motion]] with body = \"{}\", which has none: along "
                                   "a track its material passes the contact",
                                   body));
-  const std::optional<Streamlines<dim>> along =
-      rolling ? Streamlines<dim>{read_rolling_body(scene, parts, body).velocity.normalized()}
-              : streamlines_of(motion->second.motion);
+  std::optional<Streamlines<dim>> along = streamlines_of(motion->second.motion);
+  if (const auto rolls = read_rolling_body(scene, parts, body); rolling && !rolls.on_axle)
+    along = Streamlines<dim>{rolls.velocity.normalized()};
   if (along) require_motion_along(scene, surface, parts.mesh, *along);
   if (!along)
     throw unfit_track(

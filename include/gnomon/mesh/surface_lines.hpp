@@ -15,6 +15,7 @@ struct Streamlines {
   /// Direction of the lines, or axis of the circles: unit; zero for circles in the plane.
   Vector<dim> along;
   std::optional<Vector<dim>> centre{};  ///< of circles: their centre, in space a point of the axis
+  bool clockwise = false;  ///< of circles in the plane: how material moves; in space about `along`
 
   /// From the axis of circles to a point.
   Vector<dim> radial(const Vector<dim>& x) const {
