@@ -152,7 +152,7 @@ void examine_rolling(const WornBodyEquations<dim>& equations, const FieldValues<
     return;
   // Of bodies that roll nearly freely both are small, and mean nothing.
   constexpr double little = 3e-6;
-  const double driving = driving_power(assembly, nodes, equations.creepage(values));
+  const double driving = driving_power(assembly, nodes, equations.rolling(values));
   if (std::abs(driving) > little * assembly.interface.friction * sliding)
     facts.power_by_driving = power.dissipated / std::abs(driving);
 }

@@ -10,11 +10,31 @@ namespace gnomon {
 
 namespace {
 
+/// A given moment about the normal.
+template <int dim>
+struct Moment {
+  double value = 0;  ///< [force length]
+  Tensor<dim> turn = Tensor<dim>::Zero();
+  Vector<dim> centre = Vector<dim>::Zero();
+};
+
+template <int dim>
+Moment<dim> moment_of(const Assembly<dim>& assembly) {
+  const Rolling<dim>& rolling = *assembly.interface.rolling;
+  if (rolling.moment) return {*rolling.moment, rolling.turn, rolling.centre};
+  const CounterBody<dim>& partner = assembly.interface.partner;
+  for (const Guide<dim>& guide : partner.guides)
+    if (guide.spins())
+      return {*guide.force * guide.factors.factor(0), guide.turn, partner.position + guide.centre};
+  return {};
+}
+
 /// Of all nodes that have friction.
 template <int dim>
 struct Friction {
   Vector<dim> sum = Vector<dim>::Zero();  ///< [force]
   double most = 0;                        ///< f P, without regard to directions [force]
+  double moment = 0, most_moment = 0;     ///< the same about the axis of a moment [force length]
   bool sticks = false;                    ///< somewhere
 };
 
@@ -22,15 +42,20 @@ template <int dim>
 Friction<dim> friction_of(const Assembly<dim>& assembly,
                           const std::vector<ContactNode<dim>>& nodes) {
   Friction<dim> friction;
+  const Moment<dim> about = moment_of(assembly);
   for (const Upstream& at : upstream_of(assembly)) {
     const ContactNode<dim>& node = nodes[static_cast<std::size_t>(assembly.contact_node(at.node))];
     if (!node.active) continue;
-    friction.sum += node.force - node.area * node.traction * node.normal;
-    friction.most -= node.friction * node.area * node.traction;
+    const Vector<dim> own =
+                          assembly.copies * (node.force - node.area * node.traction * node.normal),
+                      way = about.turn * (assembly.mesh.nodes[at.node] - about.centre);
+    const double most = -assembly.copies * node.friction * node.area * node.traction;
+    friction.sum += own;
+    friction.most += most;
+    friction.moment += own.dot(way);
+    friction.most_moment += most * way.norm();
     friction.sticks = friction.sticks || node.sticks;
   }
-  friction.sum *= assembly.copies;
-  friction.most *= assembly.copies;
   return friction;
 }
 
@@ -52,7 +77,12 @@ std::optional<Limit> limit_of_friction(const Assembly<dim>& assembly,
   constexpr double nearly = 1 - 1e-3;
   if (!creeps_by_forces(assembly)) return {};
   const Friction<dim> friction = friction_of(assembly, nodes);
-  const double along = friction.sum.norm();
+  const double along = friction.sum.norm(), moment = std::abs(friction.moment);
+  if (moment > nearly * friction.most_moment)
+    return Limit{fmt::format("the moment about the normal, {:.4g}, reaches what friction holds, "
+                             "{:.4g}",
+                             moment, friction.most_moment),
+                 !friction.sticks};
   if (along == 0 || along < nearly * friction.most) return {};
   return Limit{fmt::format("the force along the surface, {:.4g}, reaches what friction holds, f P "
                            "= {:.4g}",
@@ -67,9 +97,13 @@ std::string excess_at_start(const Assembly<dim>& assembly,
   for (int i = 0; i < dim; ++i) sum[i] = assembly.interface.rolling->force[i].value_or(0);
   for (const Guide<dim>& guide : assembly.interface.partner.guides)
     if (guide.creeps() && guide.force) sum += *guide.force * guide.factors.factor(0) * guide.along;
-  const double along = sum.norm(), most = friction_of(assembly, nodes).most;
-  if (along <= most) return "";
-  return fmt::format("{:.4g} is more than friction holds, f P = {:.4g}", along, most);
+  const Friction<dim> friction = friction_of(assembly, nodes);
+  const double along = sum.norm(), moment = std::abs(moment_of(assembly).value);
+  if (moment > friction.most_moment)
+    return fmt::format("a moment of {:.4g} is more than friction holds about its axis, {:.4g}",
+                       moment, friction.most_moment);
+  if (along <= friction.most) return "";
+  return fmt::format("{:.4g} is more than friction holds, f P = {:.4g}", along, friction.most);
 }
 
 template std::optional<Limit> limit_of_friction(const Assembly<2>&,

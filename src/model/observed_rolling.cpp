@@ -40,23 +40,24 @@ PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<
 
 template <int dim>
 double driving_power(const Assembly<dim>& assembly, const std::vector<ContactNode<dim>>& nodes,
-                     const Vector<dim>& creepage) {
-  const Rolling<dim>& rolling = *assembly.interface.rolling;
+                     const Rolling<dim>& rolling) {
   double power = 0;
   for (const Upstream& at : upstream_of(assembly)) {
     const Vector<dim>& X = assembly.mesh.nodes[static_cast<std::size_t>(at.node)];
     const ContactNode<dim>& node = nodes[static_cast<std::size_t>(assembly.contact_node(at.node))];
-    power += friction_on(node).dot(creepage + rolling.spin * (X - rolling.centre));
+    power += friction_on(node).dot(rolling.creepage_at(X));
   }
   return assembly.copies * rolling.velocity.norm() * power;
 }
 
 template <int dim>
 void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
-                     const std::vector<ContactNode<dim>>& nodes, const Vector<dim>& creepage,
+                     const std::vector<ContactNode<dim>>& nodes, const Rolling<dim>& rolling,
                      int units, Observation& observed) {
   for (int i = 0; i < dim; ++i)
-    observed.push_back({fmt::format("creepage_{}", "xyz"[i]), "", creepage[i]});
+    observed.push_back({fmt::format("creepage_{}", "xyz"[i]), "", rolling.creepage[i]});
+  if (!rolling.turn.isZero(0))
+    observed.push_back({"creepage_spin", "1/mm", rolling.spin_about_turn()});
   const PowerOfRolling power = power_of_rolling(assembly, moved, nodes);
   observed.push_back(common("friction_power", power.dissipated, units));
   observed.push_back(common("stick_area", power.stick_area, units));
@@ -67,14 +68,14 @@ template PowerOfRolling power_of_rolling(const Assembly<2>&, const NodalField<2>
 template PowerOfRolling power_of_rolling(const Assembly<3>&, const NodalField<3>&,
                                          const std::vector<ContactNode<3>>&);
 template double driving_power(const Assembly<2>&, const std::vector<ContactNode<2>>&,
-                              const Vector<2>&);
+                              const Rolling<2>&);
 template double driving_power(const Assembly<3>&, const std::vector<ContactNode<3>>&,
-                              const Vector<3>&);
+                              const Rolling<3>&);
 template void observe_rolling(const Assembly<2>&, const NodalField<2>&,
-                              const std::vector<ContactNode<2>>&, const Vector<2>&, int,
+                              const std::vector<ContactNode<2>>&, const Rolling<2>&, int,
                               Observation&);
 template void observe_rolling(const Assembly<3>&, const NodalField<3>&,
-                              const std::vector<ContactNode<3>>&, const Vector<3>&, int,
+                              const std::vector<ContactNode<3>>&, const Rolling<3>&, int,
                               Observation&);
 
 }  // namespace gnomon

@@ -22,17 +22,18 @@ template <int dim>
 PowerOfRolling power_of_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
                                 const std::vector<ContactNode<dim>>& nodes);
 
-/// Of the forces along the contact on a body whose material slides by this creepage on its partner,
-/// as rigid bodies do. That of friction differs from it by what pressures take along as they move
-/// the surfaces, which between similar half-spaces is nothing [force length / time].
+/// Of the forces along the contact on a body whose material slides on its partner as `rolling`
+/// says, as rigid bodies do. That of friction differs from it by what pressures take along as they
+/// move the surfaces, which between similar half-spaces is nothing [force length / time].
 template <int dim>
 double driving_power(const Assembly<dim>& assembly, const std::vector<ContactNode<dim>>& nodes,
-                     const Vector<dim>& creepage);
+                     const Rolling<dim>& rolling);
 
-/// Appends creepage_x, ..., friction_power and stick_area. `units`: as for common().
+/// Appends creepage_x, ..., creepage_spin where a moment determines it, friction_power and
+/// stick_area. `rolling`: as found; `units`: as for common().
 template <int dim>
 void observe_rolling(const Assembly<dim>& assembly, const NodalField<dim>& moved,
-                     const std::vector<ContactNode<dim>>& nodes, const Vector<dim>& creepage,
+                     const std::vector<ContactNode<dim>>& nodes, const Rolling<dim>& rolling,
                      int units, Observation& observed);
 
 }  // namespace gnomon

@@ -241,7 +241,7 @@ Observation WearModel<dim>::observe(const State& state) const {
     observe_path(assembly(), phases, loop(values, state.t, phases), units, observed);
   if (assembly().interface.rolling)
     observe_rolling(assembly(), equations_.moved_on_partner(values), phases.front().nodes,
-                    equations_.creepage_of_first(values), units, observed);
+                    equations_.rolling_of_first(values), units, observed);
   // Of a part of a symmetric body, what is across the symmetry is not known.
   if (!equations_.phases().front().counter_body.guides.empty() && assembly().copies == 1)
     observe_reaction(assembly().section(), reaction, observed);

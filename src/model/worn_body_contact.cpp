@@ -115,6 +115,17 @@ Passage<dim> passage_of(const Assembly<dim>& body, const MortarPair<dim>& pair,
   return {length, interval, way - interval * pair.velocities[1] + length * turned};
 }
 
+/// Of each contact node, how far it slides by an unknown spin of one; none where it is given
+/// [length].
+template <int dim>
+std::vector<double> arms_of_spin(const Assembly<dim>& body) {
+  std::vector<double> arms;
+  if (!body.interface.rolling || !body.interface.rolling->moment) return arms;
+  for (const ContactPatch<dim>& patch : body.contact_nodes)
+    arms.push_back(body.interface.rolling->turned(patch.initial_position).second);
+  return arms;
+}
+
 }  // namespace
 
 /// The phase of the assembly at this position in the cycle, or the nearest one.
@@ -198,6 +209,7 @@ template <int dim>
 StickingFriction<dim> WornBodyEquations<dim>::friction_in_rolling() const {
   const std::size_t count = assembly_->contact_nodes.size();
   const std::vector<Upstream> upstream = upstream_of(*assembly_);
+  const std::vector<double> arms = arms_of_spin(*assembly_);
   StickingFriction<dim> friction{
       .traction = fields().traction,
       .before = std::vector<std::vector<PartOfPlace>>(count),
@@ -217,6 +229,9 @@ StickingFriction<dim> WornBodyEquations<dim>::friction_in_rolling() const {
       friction.before[c].push_back(part_of_place(0, node, factor));
     if (fields().creepage != FieldId::none)
       friction.before[c].push_back({fields().creepage, 0, -passage.length});
+    if (fields().spin != FieldId::none)
+      friction.before[c].push_back(
+          {fields().spin, static_cast<Eigen::Index>(c), -passage.length * arms[c]});
     friction.interval[c] = passage.interval;
     friction.passed.row(static_cast<Eigen::Index>(c)) = passage.passed.transpose();
   }
@@ -235,7 +250,8 @@ TermFactory<dim> WornBodyEquations<dim>::contact_of(std::size_t p, double speed)
   if (!of.pairs.empty()) {
     MortarState<dim> state = mortar_state(of, phases_[p], fields, speed, candidates_in(phases_[p]));
     if (friction)
-      state.path = {*friction, fields.place, fields.creepage, rolling && rolling->linear};
+      state.path = {*friction,   fields.place,     fields.creepage,
+                    fields.spin, arms_of_spin(of), rolling && rolling->linear};
     return [state](const Numbering& n) { return std::make_unique<MortarTerm<dim>>(state, n); };
   }
   const ContactState<dim> contact = contact_state(of, phases_[p], fields, speed);

@@ -93,24 +93,35 @@ NodalField<dim> WornBodyEquations<dim>::moved_on_partner(const FieldValues<dim>&
 }
 
 template <int dim>
-Vector<dim> WornBodyEquations<dim>::creepage(const FieldValues<dim>& values) const {
-  Vector<dim> sum = assembly_->interface.rolling->creepage;
+Rolling<dim> WornBodyEquations<dim>::rolling(const FieldValues<dim>& values) const {
+  Rolling<dim> found = *assembly_->interface.rolling;
   if (const FieldId unknown = fields().creepage; unknown != FieldId::none)
-    sum += values.vector(unknown).row(0).transpose();
-  const std::vector<Guide<dim>>& guides = phases_.front().counter_body.guides;
-  for (std::size_t k = 0; k < guides.size(); ++k)
-    if (guides[k].creeps())
-      sum += values.scalar(fields().w)[static_cast<Eigen::Index>(k)] / guides[k].creep *
-             guides[k].along;
-  return sum;
+    found.creepage += values.vector(unknown).row(0).transpose();
+  if (const FieldId unknown = fields().spin; unknown != FieldId::none)
+    found.spin =
+        found.turn * values.vector(unknown).row(0).dot(
+                         found.turned(assembly_->contact_nodes.front().initial_position).first);
+  const CounterBody<dim>& partner = phases_.front().counter_body;
+  for (std::size_t k = 0; k < partner.guides.size(); ++k) {
+    const Guide<dim>& guide = partner.guides[k];
+    if (!guide.creeps()) continue;
+    const double by = guide.creepage(values.scalar(fields().w)[static_cast<Eigen::Index>(k)]);
+    found.creepage += by * guide.along;
+    if (!guide.spins()) continue;
+    found.spin = by * guide.turn;
+    found.turn = guide.turn;
+    found.centre = partner.position + guide.centre;
+  }
+  return found;
 }
 
 template <int dim>
-Vector<dim> WornBodyEquations<dim>::creepage_of_first(const FieldValues<dim>& values) const {
-  Vector<dim> own = creepage(values);
+Rolling<dim> WornBodyEquations<dim>::rolling_of_first(const FieldValues<dim>& values) const {
+  Rolling<dim> own = rolling(values);
   if (assembly_->pairs.empty()) return own;
   const auto& [slave, master] = assembly_->pairs.front().numbers;
-  return slave < master ? own : Vector<dim>(-own);
+  if (slave > master) own.creepage *= -1, own.spin *= -1;
+  return own;
 }
 
 template <int dim>
@@ -212,6 +223,16 @@ void WornBodyEquations<dim>::add_forces_of_rolling(std::vector<TermFactory<dim>>
   for (int i = 0; i < dim; ++i) force(0, i) = assembly_->interface.rolling->force[i].value_or(0);
   add(terms, TermKind::press, 0, [field = fields().creepage, force](const Numbering& numbering) {
     return std::make_unique<Loads<dim>>(numbering, field, force, LoadHistory{},
+                                        Loads<dim>::Purpose::acts);
+  });
+  if (fields().spin == FieldId::none) return;
+  const Rolling<dim>& rolling = *assembly_->interface.rolling;
+  NodalField<dim> moment = NodalField<dim>::Zero(std::ssize(assembly_->contact_nodes), dim);
+  moment.row(0) =
+      *rolling.moment *
+      rolling.turned(assembly_->contact_nodes.front().initial_position).first.transpose();
+  add(terms, TermKind::press, 0, [field = fields().spin, moment](const Numbering& numbering) {
+    return std::make_unique<Loads<dim>>(numbering, field, moment, LoadHistory{},
                                         Loads<dim>::Purpose::acts);
   });
 }

@@ -71,7 +71,7 @@ Field multiplier_field(const Assembly<dim>& body, const Scales& scales, int bloc
 }
 
 /// A value for each guide of the counter-body, unknown where a force presses it. An angle moves the
-/// body by its size.
+/// body by its size; a spin has the arm of the contact.
 template <int dim>
 Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, const Scales& scales,
                          int block, int creepage) {
@@ -80,10 +80,10 @@ Field rigid_motion_field(const Assembly<dim>& body, const Phase<dim>& phase, con
   Field w("rigid_motion", std::vector<int>(forces.size(), at_no_node), 1);
   const auto [low, high] = Box<dim>::around(body.mesh.nodes);
   for (std::size_t k = 0; k < forces.size(); ++k) {
-    const bool turns = phase.counter_body.guides[k].turns();
-    const double arm = turns ? (high - low).maxCoeff() : 1;
-    if (forces[k]) w.block(k, 0) = phase.counter_body.guides[k].creeps() ? creepage : block;
-    w.row_scale(k, 0) = scales.force * arm;
+    const Guide<dim>& guide = phase.counter_body.guides[k];
+    const double arm = guide.turns() ? (high - low).maxCoeff() : 1;
+    if (forces[k]) w.block(k, 0) = guide.creeps() ? creepage : block;
+    w.row_scale(k, 0) = scales.force * (guide.spins() ? guide.creep : arm);
     w.unknown_scale(k, 0) = scales.displacement / arm;
   }
   return w;
@@ -217,7 +217,8 @@ FieldSet WornBodyEquations<dim>::make_fields() {
     if (assembly_->interface.sticks) add_memory(slip, scales, set);
     if (!assembly_->pairs.empty()) add_places(slip, set);
     if (assembly_->interface.rolling && assembly_->interface.rolling->creeps())
-      fields_.front().creepage = add_creepage(*assembly_, scales, set);
+      std::tie(fields_.front().creepage, fields_.front().spin) =
+          add_creepage(*assembly_, scales, set);
     if (assembly_->interface.rolling)
       fields_.front().mean_power = add_mean_power(*assembly_, scales, set);
   }

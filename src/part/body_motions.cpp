@@ -33,6 +33,9 @@ std::vector<Key> motion_keys_of_bodies() {
                    "zero it drives, zero rolls freely (docs/rolling.md)"),
           real_key("motion.#.force_across", "N", absent("the velocity is given"), any_quantity,
                    "in space: the same along the axis across the velocity"),
+          real_key("motion.#.moment", "N mm", absent("the rotation is given"), any_quantity,
+                   "in space, where bodies roll: on the body about motion.#.axis, the normal of "
+                   "the contact, in place of its rotation, which it determines"),
           cycle_function_key(
               "motion.#.cycle.x", "mm",
               std::string("displacement of the body along x over a cycle") + cycle_function_form),
@@ -176,15 +179,23 @@ RollingBody<dim> read_rolling_body(const Scene& scene, const AssemblyParts<dim>&
   for (std::size_t k = 0; k < 2; ++k)
     if (const std::string key = table + (k == 0 ? ".force" : ".force_across"); scene.given(key))
       result.force[k] = scene.real(key);
-  const std::string rotation = table + ".rotation";
-  if (!scene.given(rotation) || scene.real(rotation) == 0) return result;
-  result.on_axle = !scene.given(table + ".velocity");
+  const std::string rotation = table + ".rotation", moment = table + ".moment";
+  const bool turns = scene.given(rotation) && scene.real(rotation) != 0, acts = scene.given(moment);
+  if (!turns && !acts) return result;
+  const std::string& key = acts ? moment : rotation;
+  if (turns && acts) refuse(scene, key, "either a rotation or a moment, which determines it");
+  result.on_axle = turns && !scene.given(table + ".velocity");
+  if (dim == 2 && acts)
+    refuse(scene, key, "none in the plane: a moment about the axle is a force along the contact");
   if (dim == 2 && !result.on_axle)
-    refuse(scene, rotation,
+    refuse(scene, key,
            "either a rotation about the axle or the velocity of the material where it touches");
-  const CycleAxis<dim> axis = read_axis<dim>(scene, table, rotation, Section::plane);
-  result.spin = scene.real(rotation) * axis.spin;
+  const CycleAxis<dim> axis = read_axis<dim>(scene, table, key, Section::plane);
   result.centre = axis.centre;
+  if (turns) result.spin = scene.real(rotation) * axis.spin;
+  if (!acts) return result;
+  result.moment = scene.real(moment);
+  result.turn = axis.spin;
   return result;
 }
 

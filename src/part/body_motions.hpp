@@ -28,6 +28,9 @@ struct RollingBody {
   bool on_axle = false;  ///< the spin is that about the axle, in the place of a velocity
   /// On the body along its velocity and across it; given: it determines the velocity [force].
   std::array<std::optional<double>, 2> force = {};
+  /// In space: the same about an axis through `centre`, whose spin is `turn` [force length].
+  std::optional<double> moment = {};
+  Tensor<dim> turn = Tensor<dim>::Zero();
   std::string table = {};  ///< of the scene; empty: it is at rest
 };
 

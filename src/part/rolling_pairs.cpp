@@ -103,19 +103,24 @@ void read_velocities(const Scene& scene, const AssemblyParts<dim>& parts, Mortar
         pair.velocities[side][i] = bodies[1 - side].velocity[i];
 }
 
-/// About the normal of the contact, of one of the bodies.
+/// About the normal of the contact, of one of the bodies: a rotation, or a moment on it.
 template <int dim>
 void read_spin(const Scene& scene, const RollingBody<dim>& body, const Vector<dim>& approach,
-               double rate, Rolling<dim>& rolling) {
-  if (body.spin.isZero(0) || body.on_axle) return;
-  const std::string key = body.table + ".rotation";
-  if ((body.spin * approach).norm() > along_surface * body.spin.norm())
+               double sign, Rolling<dim>& rolling) {
+  if ((body.spin.isZero(0) && !body.moment) || body.on_axle) return;
+  const std::string key = body.table + (body.moment ? ".moment" : ".rotation");
+  const Tensor<dim> turn = body.moment ? body.turn : body.spin;
+  if ((turn * approach).norm() > along_surface * turn.norm())
     refuse(scene, key,
-           "a rotation about the normal of the contact where bodies roll: that about the axle is "
-           "the velocity of the material where it touches");
-  if (!rolling.spin.isZero(0)) refuse(scene, key, "a rotation of one of the two bodies");
-  rolling.spin = rate * body.spin;
+           "an axis along the normal of the contact where bodies roll: a rotation about the axle "
+           "is the velocity of the material where it touches, and a moment about it a force there");
+  if (!rolling.spin.isZero(0) || rolling.moment)
+    refuse(scene, key, "a rotation or a moment of one of the two bodies");
   rolling.centre = body.centre;
+  rolling.spin = sign / rolling.velocity.norm() * body.spin;
+  if (!body.moment) return;
+  rolling.moment = sign * *body.moment;
+  rolling.turn = body.turn;
 }
 
 }  // namespace
@@ -130,7 +135,7 @@ Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts) {
     auto body = read_rolling_body(scene, parts, pair.bodies[master]);
     if (body.on_axle) body.velocity = pair.velocities[master];
     read_forces(scene, body, pair, master, rolling);
-    read_spin(scene, body, pair.approach, (master ? -1 : 1) / V.norm(), rolling);
+    read_spin(scene, body, pair.approach, master ? -1 : 1, rolling);
   }
   if (parts.pairs.size() > 1 && (rolling.creeps() || !rolling.spin.isZero(0)))
     throw InputError(scene.path().string() +

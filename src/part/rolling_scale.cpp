@@ -56,10 +56,11 @@ double speed_of_rolling(const AssemblyParts<dim>& parts, const Magnitudes& expec
 
 template <int dim>
 void scale_creepages(const Magnitudes& expected, AssemblyParts<dim>& parts) {
+  const double half = contact_width<dim>(expected.scales) / 2;
   for (Guide<dim>& guide : parts.interface.partner.guides)
-    if (guide.creeps()) guide.creep = contact_width<dim>(expected.scales) / 2;
-  parts.interface.rolling->creepage_scale =
-      expected.scales.displacement / (contact_width<dim>(expected.scales) / 2);
+    if (guide.creeps()) guide.creep = half;
+  parts.interface.rolling->creepage_scale = expected.scales.displacement / half;
+  parts.interface.rolling->arm = half;
 }
 
 template bool slips_as_given(const AssemblyParts<2>&);

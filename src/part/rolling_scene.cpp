@@ -117,10 +117,14 @@ std::optional<Rolling<dim>> read_rolling(const Scene& scene, const Vector<dim>& 
   if (!(rolling.velocity.norm() > 0))
     refuse(scene, "rolling.velocity", "a velocity that is not zero");
   const std::string given = read_creepage<dim>(scene, outward, other, rolling);
-  for (const Guide<dim>& guide : other.guides)
+  for (const Guide<dim>& guide : other.guides) {
     if (guide.creeps() && rolling.creepage.dot(guide.along) != 0)
       refuse(scene, given,
              fmt::format("none along {}.direction, whose force determines it", guide.key));
+    if (guide.spins() && !rolling.spin.isZero(0))
+      refuse(scene, scene.given("rolling.spin") ? "rolling.spin" : given,
+             fmt::format("none about the normal, as {}.moment determines it", guide.key));
+  }
   return rolling;
 }
 
@@ -141,6 +145,16 @@ void require_one_way(const Scene& scene, const Vector<dim>& outward, const Guide
                      first.key));
 }
 
+/// Throws unless a moment acts about the normal of the surface.
+template <int dim>
+void require_about_normal(const Scene& scene, const Vector<dim>& outward, const Guide<dim>& guide) {
+  if ((guide.turn * outward).norm() <= along_surface && dim == 3) return;
+  refuse(scene, guide.key + ".moment",
+         fmt::format("a force along the surface in its place, beside [rolling]: the moment divided "
+                     "by the radius{}",
+                     dim == 3 ? ", or an axis along the normal of the surface" : ""));
+}
+
 }  // namespace
 
 template <int dim>
@@ -151,10 +165,11 @@ void let_creep(const Scene& scene, const Vector<dim>& outward, CounterBody<dim>&
   Vector<dim> pressing = Vector<dim>::Zero();
   const Guide<dim>* presses = nullptr;
   for (Guide<dim>& guide : other.guides) {
-    if (guide.turns())
-      refuse(scene, guide.key + ".moment",
-             "a force along the surface in its place, beside [rolling]: the moment divided by the "
-             "radius");
+    if (guide.turns()) {
+      require_about_normal(scene, outward, guide);
+      guide.creep = 1;
+      continue;
+    }
     if (std::abs(guide.along.dot(outward)) > nearly_along) {
       require_one_way(scene, outward, presses ? *presses : guide, guide);
       presses = &guide;

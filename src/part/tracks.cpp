@@ -188,7 +188,8 @@ void require_lines(const Scene& scene, const AssemblyParts<dim>& parts) {
     try {
       lines = lines_of_surface(parts.mesh, surface.facets, surface.track->along);
     } catch (const InputError& error) {
-      throw refuse(error.what());
+      const bool rolls = parts.interface.rolling.has_value();
+      throw refuse(std::string(error.what()) + (rolls ? ": rolling goes along the lines" : ""));
     }
     constexpr double nearly = 0.01, rounding = 1e-6;
     if (lines.circumference > 0) {  // the geometry says how long a circle is

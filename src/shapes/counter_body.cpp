@@ -136,11 +136,11 @@ Partner<dim> CounterBody<dim>::meet(const Vector<dim>& x, const PartnerMotion<>&
   partner.velocity_by.template leftCols<dim>() = motion.spin;
   for (Eigen::Index k = 0; k < count; ++k) {
     const Guide<dim>& guide = guides[k];
-    const Vector<dim> G =
-        guide.turns() ? Vector<dim>(guide.turn * (at - guide.centre)) : guide.travelled(1);
+    const Tensor<dim> turn = guide.turns() ? guide.turn : Tensor<dim>::Zero();
+    const Vector<dim> G = turn * (at - guide.centre) + guide.travelled(1);
     partner.weights.col(k) = G;
     partner.gap_by[dim + k] = -n.dot(G);
-    partner.normal_by.col(dim + k) = guide.turn * n - H * G;
+    partner.normal_by.col(dim + k) = turn * n - H * G;
     partner.velocity_by.col(dim + k) = -motion.spin * guide.travelled(1);
     partner.across_by[dim + k] = -motion.across_by_x.dot(guide.travelled(1));
     if (!guide.turns()) continue;

@@ -172,12 +172,8 @@ public:
   const Eigen::MatrixXd& values() const { return K_; }
   /// The row of the mean of q.
   const Eigen::RowVectorXd& mean() const { return mean_; }
-  /// The sum of the rows of u of the corners.
-  Eigen::MatrixXd force_on_slave() const {
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(dim, K_.cols());
-    for (int a = 0; a < corners; ++a) sum += K_.middleRows(u_row(a), dim);
-    return sum;
-  }
+  /// The rows of u of a corner.
+  auto force_on(int a) const { return K_.middleRows(u_row(a), dim); }
 
 private:
   /// A force that is `area` times the traction of corner a; `by_area` by the area.

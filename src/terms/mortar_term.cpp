@@ -41,6 +41,7 @@ MortarTerm<dim>::MortarTerm(const MortarState<dim>& state, const Numbering& numb
   if (state.path && state.path->creepage != FieldId::none)
     for (int i = 0; i < dim; ++i)
       creepage_numbers_.push_back(numbering.number(state.path->creepage, 0, i));
+  if (state.path) spin_numbers_ = numbering.nodal<dim>(state.path->spin);
   for (std::size_t p = 0; state.mean_power != FieldId::none && p < state.pairs.size(); ++p)
     mean_numbers_.push_back(numbering.number(state.mean_power, static_cast<Eigen::Index>(p)));
   if (state.path && state.path->is_last)
@@ -150,7 +151,10 @@ void MortarTerm<dim>::declare_facet(const SlaveFacet& facet, PatternBuilder& pat
     for (int i = 0; state_.path && i < dim; ++i) constraints.push_back(place_number(side, i));
   }
   pattern.add(constraints, numbers_of(joined.all, false));
-  for (const std::vector<int>& sums : {creepage_numbers_, mean_number(facet.pair)}) {
+  std::vector<int> spin;
+  for (const int side : facet.sides)
+    for (const int number : spin_number(sides_[side].node)) spin.push_back(number);
+  for (const std::vector<int>& sums : {creepage_numbers_, spin, mean_number(facet.pair)}) {
     pattern.add(sums, own_columns);
     pattern.add(sums, numbers_of(joined.all, false));
   }
@@ -222,6 +226,9 @@ void MortarTerm<dim>::add_residual(const Evaluation<dim>& at, std::span<double> 
     if (!side.slave) continue;
     for (std::size_t i = 0; i < creepage_numbers_.size(); ++i)
       if (const int row = creepage_numbers_[i]; row >= 0) F[row] += state.force[long(i)];
+    const std::vector<int> spin = spin_number(side.node);
+    for (std::size_t i = 0; i < spin.size(); ++i)
+      if (spin[i] >= 0) F[spin[i]] += state_.path->arm[side.node] * state.force[long(i)];
     for (const int row : mean_number(side.pair))
       if (row >= 0) F[row] += mean_part(at, side, state).value;
     if (state_.path) add_path_residual(at, side, state, F);

@@ -513,12 +513,15 @@ TEST(PairFrettingInSpace, WhatTurnsTogetherIsAsAtRest) {
 
 /// The same bodies in steady rolling.
 template <int dim>
-AssemblyParts<dim> rolling(const TwoBodies& pair) {
+AssemblyParts<dim> rolling(const TwoBodies& pair, std::optional<double> moment = {}) {
   AssemblyParts<dim> parts = two_bodies<dim>(pair);
   const Vector<dim> V = Vector<dim>::Unit(0);
   Rolling<dim> rolling{.velocity = V, .creepage_scale = 0.01};
   rolling.force.front() = 0.01;
-  if constexpr (dim == 3) rolling.spin = spin_about(Vector<3>::UnitZ(), 0.02);
+  if constexpr (dim == 3) {
+    (moment ? rolling.turn : rolling.spin) = spin_about(Vector<3>::UnitZ(), moment ? 1 : 0.02);
+    rolling.moment = moment;
+  }
   parts.interface.rolling = rolling;
   parts.pairs.front().velocities = {V, 1.01 * V};
   for (Surface<dim>& surface : parts.interface.surfaces) {
@@ -562,6 +565,7 @@ TEST(PairFrettingInSpace, JacobianEqualsFiniteDifferences) {
   pair.lower.along = 3, pair.lower.across = 1;
   check(WearModel<3>(on_a_path<3>(pair, 0.1, 1)));
   check(WearModel<3>(rolling<3>(pair)));
+  check(WearModel<3>(rolling<3>(pair, 0.02)));
   check(WearModel<3>(rolling_with_mean<3>(pair)), -200);
 }
 

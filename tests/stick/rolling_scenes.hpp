@@ -25,6 +25,11 @@ protected:
     if (IsSkipped()) return;
     write_rail("flat.geo", 18, 16, 1.28);
     write_rail("coarse.geo", 8, 5, 2.4);
+    folder_.write("box.geo", R"(SetFactory("OpenCASCADE");
+Box(1) = {-0.4, -0.4, -0.4, 0.8, 0.8, 0.4};
+Transfinite Curve "*" = 9; Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
+Physical Surface("bottom") = {5}; Physical Surface("surface") = {6}; Physical Volume("box") = {1};
+)");
   }
   /// What rolls wears from end to end.
   void write_rail(const std::string& name, int half, int layers, double growth) {
@@ -48,6 +53,22 @@ protected:
     replace("direction = [1.0, 0.0]", "direction = [-1.0, 0.0]");
     if (!rolling.empty()) text.erase(text.rfind("[[counter_body.press]]"));
     return text + fmt::format("[rolling]\nvelocity = [{}, 0.0]\n{}\n", Carter::V, rolling);
+  }
+
+  /// A rigid ball on a block in space, which passes as `rolling` says.
+  static std::string ball(const std::string& rolling, double x = 0,
+                          const std::string& presses = "") {
+    return fmt::format(R"toml(problem = "worn_body"
+mesh.file = "box.geo"
+body = {{ young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }}
+support = [ {{ on = "bottom" }} ]
+friction = {{ coefficient = 0.3 }}
+wear = {{ on = ["surface"], coefficient = 2.9e-8, surfaces = {{ surface = {{ path = 100.0 }} }} }}
+time.end = 1000.0
+counter_body = {{ shape = "ball", radius = 5.0, center = [{}, 0.0, 5.0], press = [ {{ direction = [0.0, 0.0, -1.0], force = 400.0 }}{} ] }}
+rolling = {{ velocity = [1000.0, 0.0, 0.0]{} }}
+)toml",
+                       x, presses, rolling.empty() ? "" : ", " + rolling);
   }
 
   struct Found {

@@ -142,26 +142,8 @@ TEST_F(RollingScenes, JacobianEqualsFiniteDifferences) {
 
 /// In space the ball is dragged along the creepage, and the force turns with it.
 TEST_F(RollingScenes, ABallIsDraggedAlongTheCreepage) {
-  folder_.write("box.geo", R"(SetFactory("OpenCASCADE");
-Box(1) = {-0.4, -0.4, -0.4, 0.8, 0.8, 0.4};
-Transfinite Curve "*" = 9; Transfinite Surface "*"; Transfinite Volume {1}; Recombine Surface "*";
-Physical Surface("bottom") = {5}; Physical Surface("surface") = {6}; Physical Volume("box") = {1};
-)");
-  const auto box = [](const std::string& rolling, double x = 0) {
-    return fmt::format(R"toml(problem = "worn_body"
-mesh.file = "box.geo"
-body = {{ young_modulus = 1e5, poisson_ratio = 0.3, material = "linear" }}
-support = [ {{ on = "bottom" }} ]
-friction = {{ coefficient = 0.3 }}
-wear = {{ on = ["surface"], coefficient = 2.9e-8, surfaces = {{ surface = {{ path = 100.0 }} }} }}
-time.end = 1000.0
-counter_body = {{ shape = "ball", radius = 5.0, center = [{}, 0.0, 5.0], press = {{ direction = [0.0, 0.0, -1.0], force = 400.0 }} }}
-rolling = {{ velocity = [1000.0, 0.0, 0.0], {} }}
-)toml",
-                       x, rolling);
-  };
   const auto guide = [&](const std::string& rolling) {
-    const auto model = this->model(box(rolling));
+    const auto model = this->model(ball(rolling));
     Counters counters;
     const State start = model->start(counters);
     return Vector<2>(observed(*model, start, "guide_x"), observed(*model, start, "guide_y"));
@@ -176,7 +158,7 @@ rolling = {{ velocity = [1000.0, 0.0, 0.0], {} }}
   EXPECT_NEAR(sliding[1] / sliding[0], 4.0 / 3, 0.02);
   EXPECT_GT(std::abs(spin[1]), 1);  // spin alone pushes sideways
   // It is about the place where the ball touches, a node beside the middle of the surface.
-  const auto beside = this->model(box("spin = 2e-2", 0.1));
+  const auto beside = this->model(ball("spin = 2e-2", 0.1));
   const Vector<3> centre =
       dynamic_cast<const WearModel<3>&>(*beside).assembly().interface.rolling->centre;
   EXPECT_LT((centre - Vector<3>(0.1, 0, 0)).norm(), 1e-9);

@@ -24,12 +24,13 @@ struct WornBodyFields {
   FieldId traction = FieldId::none;    ///< lambda_T, contact nodes; only where friction may stick
   FieldId place = FieldId::none;       ///< r, contact nodes; only there, in pairs
   FieldId creepage = FieldId::none;    ///< xi, of pairs that roll under a force along the contact
+  FieldId spin = FieldId::none;        ///< of pairs under a moment, W (X - centre) of unit length
   FieldId memory = FieldId::none;      ///< s, that of all phases; differential; only there
   FieldId mean_power = FieldId::none;  ///< q_mean of each contact, of laws that read it in rolling
 
   /// Those of a phase alone.
-  std::array<FieldId, 7> of_phase() const {
-    return {u, lambda, w, traction, place, creepage, mean_power};
+  std::array<FieldId, 8> of_phase() const {
+    return {u, lambda, w, traction, place, creepage, spin, mean_power};
   }
 };
 
@@ -122,10 +123,11 @@ public:
   /// In steady rolling: what the partner is passed by beside rigid motion, displacements, of pairs
   /// their places on the partner, by node of the mesh [length].
   NodalField<dim> moved_on_partner(const FieldValues<dim>& values) const;
-  /// In steady rolling: the given creepage and what forces determine of it, of pairs the slave's.
-  Vector<dim> creepage(const FieldValues<dim>& values) const;
-  /// The same, of pairs that of the first body relative to the second.
-  Vector<dim> creepage_of_first(const FieldValues<dim>& values) const;
+  /// In steady rolling: with the given creepage and what forces and a moment determine of it, of
+  /// pairs the slave's.
+  Rolling<dim> rolling(const FieldValues<dim>& values) const;
+  /// The same, of pairs with the creepage of the first body relative to the second.
+  Rolling<dim> rolling_of_first(const FieldValues<dim>& values) const;
   /// How far the partner's surface at every contact node is carried by a phase of a path, where the
   /// bodies stay as they are.
   NodalField<dim> carried(const Phase<dim>& phase) const;

@@ -92,12 +92,19 @@ struct Guide {
   LoadHistory factors = {};  ///< of the force over time
   double share = 0;          ///< its part in CounterBody::approach
   /// Beside material that streams past: it does not move the body, but its number is a creepage
-  /// along it times this length (docs/rolling.md); 0: none [length].
+  /// along it times this length, or about its axis times the square (docs/rolling.md); 0: none
+  /// [length].
   double creep = 0;
   std::string key = {};  ///< the table of a scene that describes it
 
-  bool turns() const { return along.isZero(0); }
+  bool turns() const { return along.isZero(0) && !creeps(); }
   bool creeps() const { return creep > 0; }
+  /// A creepage about an axis.
+  bool spins() const { return creeps() && along.isZero(0); }
+  /// The creepage that its number q stands for [1; 1 / length].
+  double creepage(double q) const { return q / (spins() ? creep * creep : creep); }
+  /// Where that is one, how a point slides, in the coordinates of the shape.
+  Vector<dim> creeping_at(const Vector<dim>& x) const { return along + turn * (x - centre); }
   /// How far it moves the body by its number q.
   Vector<dim> travelled(double q) const {
     return creeps() ? Vector<dim>(Vector<dim>::Zero()) : Vector<dim>(q * along);

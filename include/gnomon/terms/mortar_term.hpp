@@ -30,6 +30,8 @@
 //
 //   xi        sum_i D_i tau_i lambda_i - F = 0, of all slaves, along the component
 //
+// and |V| omega W (X_i - centre) an unknown spin, whose row is that of the moment about its axis.
+//
 // Wear laws of the surfaces of a pair may read the mean of q over its contact, an unknown of the
 // pair,
 //
@@ -56,7 +58,10 @@ template <int dim>
 struct MortarPath : StickingFriction<dim> {
   FieldId place = FieldId::none;     ///< r
   FieldId creepage = FieldId::none;  ///< xi, a part of `before`; its rows have the force F
-  bool flat = false;                 ///< slopes are left out: small strains in rolling
+  /// An unknown spin, the same of each contact node; by its arms the rows have the moment.
+  FieldId spin = FieldId::none;
+  std::vector<double> arm{};  ///< of the contact nodes [length]
+  bool flat = false;          ///< slopes are left out: small strains in rolling
 };
 
 /// All pairs of an assembly in one contact state. The referenced objects must outlive the term.
@@ -234,6 +239,12 @@ private:
     if (mean_numbers_.empty()) return {};
     return {mean_numbers_[static_cast<std::size_t>(pair)]};
   }
+  /// Of an unknown spin.
+  std::vector<int> spin_number(int contact_node) const {
+    if (spin_numbers_.size() == 0) return {};
+    const auto row = spin_numbers_.row(contact_node);
+    return {row.begin(), row.end()};
+  }
   int lambda_number(const Side& side) const { return own_numbers_[side.node].front(); }
   int traction_number(const Side& side, int i) const { return own_numbers_[side.node][1 + i]; }
   int place_number(const Side& side, int i) const { return own_numbers_[side.node][1 + dim + i]; }
@@ -254,6 +265,7 @@ private:
   std::vector<std::vector<int>> own_numbers_;  // of each contact node: those of its traction;
                                                // masters: -1
   std::vector<int> creepage_numbers_;          // by component; empty: all are given
+  NodalNumbers<dim> spin_numbers_;             // of contact nodes; empty: it is given
   std::vector<int> mean_numbers_;              // by pair; empty: no law reads a mean
   std::size_t most_parts_ = 0;                 // of a place before
   bool mixes_parts_ = false;                   // else each place before is one of another phase

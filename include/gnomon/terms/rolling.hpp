@@ -5,6 +5,7 @@
 #include <array>
 #include <gnomon/base/tensor.hpp>
 #include <optional>
+#include <utility>
 
 namespace gnomon {
 
@@ -21,10 +22,14 @@ struct Rolling {
   /// Of pairs: forces on the slave along the axes, beside those of contact. Where one is given, the
   /// creepage along it is unknown, beside the given one [force].
   std::array<std::optional<double>, dim> force = {};
-  double creepage_scale = 1;  ///< of unknown ones
+  /// In space the same of the moment about an axis, and of the spin about it [force length].
+  std::optional<double> moment = {};
+  Tensor<dim> turn = Tensor<dim>::Zero();  ///< about that axis through `centre`, of the rate one
+  double creepage_scale = 1;               ///< of unknown ones
+  double arm = 1;                          ///< the same of a spin by that [length]
 
   bool creeps() const {
-    return std::ranges::any_of(force, [](const auto& of) { return of.has_value(); });
+    return moment || std::ranges::any_of(force, [](const auto& of) { return of.has_value(); });
   }
 
   /// Of bodies with small strains: slopes of the deformed surface are left out, whose squares are
@@ -32,6 +37,14 @@ struct Rolling {
   bool linear = false;
 
   Vector<dim> creepage_at(const Vector<dim>& X) const { return creepage + spin * (X - centre); }
+  /// As a number by `turn`, which is of the rate one [1 / length].
+  double spin_about_turn() const { return spin.cwiseProduct(turn).sum() / turn.squaredNorm(); }
+  /// Where the unknown spin is one: a unit vector, and by how much of it a point slides [length].
+  std::pair<Vector<dim>, double> turned(const Vector<dim>& X) const {
+    const Vector<dim> way = turn * (X - centre);
+    if (way.isZero(0)) return {Vector<dim>::Unit(0), 0};
+    return {way.normalized(), way.norm()};
+  }
 };
 
 }  // namespace gnomon

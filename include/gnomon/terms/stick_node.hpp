@@ -10,10 +10,11 @@
 //
 //   r = u - dt (v^2 - |V| sum_k xi_k e_k),   Q = 1
 //
-// with unknown creepages xi_k along e_k; with small strains the body streams as far as v^2 dt, both
-// are left out, and r - r_before is projected on the undeformed surface first. T follows from
-// lambda_T and Delta (laws/stick_friction.hpp). The rows of the multipliers make them equal to
-// lambda_eff and T, so that the force needs no more than
+// with unknown creepages xi_k along e_k, in space also about an axis, where e_k = W (X - centre);
+// with small strains the body streams as far as v^2 dt, both are left out, and r - r_before is
+// projected on the undeformed surface first. T follows from lambda_T and Delta
+// (laws/stick_friction.hpp). The rows of the multipliers make them equal to lambda_eff and T, so
+// that the force needs no more than
 //
 //   force = A (lambda n + lambda_T)      row of u
 //   Wdot  = Wdot(p, v),  p the mean of this phase and the one before,  v = |Delta| / interval
@@ -88,12 +89,19 @@ struct StickNode {
             const StickInput<dim, Scalar>& at, const StickBranch& branch = {});
 };
 
+/// How the body slides at a node where an unknown creepage is one.
+template <int dim>
+Vector<dim> creeping_at(const CounterBody<dim>& partner, const Guide<dim>& guide,
+                        const ContactPatch<dim>& patch) {
+  return guide.creeping_at(patch.initial_position - partner.position);
+}
+
 /// G of an unknown of the partner; of a creepage its direction.
 template <int dim, class Scalar>
-Vector<dim, Scalar> along_guide(const ContactParameters<dim>& of,
+Vector<dim, Scalar> along_guide(const ContactParameters<dim>& of, const ContactPatch<dim>& patch,
                                 const ContactKinematics<dim, Scalar>& met, Eigen::Index k) {
   const Guide<dim>& guide = of.counter_body.guides[static_cast<std::size_t>(k)];
-  if (guide.creeps()) return guide.along.template cast<Scalar>();
+  if (guide.creeps()) return creeping_at(of.counter_body, guide, patch).template cast<Scalar>();
   const Vector<dim> G = met.partner.weights.col(k);
   const auto& by = met.partner.weights_by[static_cast<std::size_t>(k)];
   return by.size() > 0 ? lift(G, by, met.z) : Vector<dim, Scalar>(G.template cast<Scalar>());
@@ -102,14 +110,17 @@ Vector<dim, Scalar> along_guide(const ContactParameters<dim>& of,
 /// r in rolling.
 template <int dim, class Scalar>
 Vector<dim, Scalar> place_in_rolling(const Rolling<dim>& rolling, const StickInput<dim, Scalar>& at,
-                                     const std::vector<Guide<dim>>& guides,
+                                     const CounterBody<dim>& partner,
+                                     const ContactPatch<dim>& patch,
                                      const ContactKinematics<dim, Scalar>& met) {
   Vector<dim, Scalar> place = at.contact.u.row(0).transpose();
   if (!rolling.linear) place -= Scalar(at.interval) * rolling_velocity(rolling, met);
   const double passed = at.interval * rolling.velocity.norm();
   for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
-    if (const Guide<dim>& guide = guides[static_cast<std::size_t>(k)]; guide.creeps())
-      place += (guide.along * (passed / guide.creep)).template cast<Scalar>() * at.contact.q[k];
+    if (const Guide<dim>& guide = partner.guides[static_cast<std::size_t>(k)]; guide.creeps())
+      place += Vector<dim>(creeping_at(partner, guide, patch) * guide.creepage(passed))
+                   .template cast<Scalar>() *
+               at.contact.q[k];
   return place;
 }
 
@@ -153,7 +164,7 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   const Vector<dim, Scalar> X = at.contact.X.row(0).transpose(),
                             u = at.contact.u.row(0).transpose();
   place = parameters.rolling
-              ? place_in_rolling(*parameters.rolling, at, guides, met)
+              ? place_in_rolling(*parameters.rolling, at, of.counter_body, patch, met)
               : parameters.path.place(parameters.path.now, guides, at.contact.q, X, u);
   const Vector<dim, Scalar> moved = change_of_place(parameters, patch, at, place);
   Vector<dim, Scalar> slip = moved - met.normal * met.normal.dot(moved);
@@ -175,7 +186,7 @@ StickNode<dim, Scalar>::StickNode(const StickParameters<dim>& parameters,
   contact.constraint = met.contact.constraint;
   contact.partner.resize(at.contact.q.size());
   for (Eigen::Index k = 0; k < at.contact.q.size(); ++k)
-    contact.partner[k] = -along_guide<dim>(of, met, k).dot(contact.force);
+    contact.partner[k] = -along_guide<dim>(of, patch, met, k).dot(contact.force);
   contact.slip = slip;
   contact.friction = plain(coefficient);
   contact.sticks = friction.sticks;
