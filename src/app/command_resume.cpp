@@ -17,6 +17,7 @@
 #include "app/interrupt.hpp"
 #include "app/program.hpp"
 #include "app/run_end.hpp"
+#include "run/store_schedule.hpp"
 #include "scene/key_check.hpp"
 
 namespace gnomon::app {
@@ -96,6 +97,48 @@ bool is_same(const Model& model, const ResultReader& earlier) {
   return std::ranges::equal(model.blocks, earlier.header().blocks, same_block) && same_grid;
 }
 
+/// The time that the result has reached; a result without a step has reached none.
+double time_reached(const ResultReader& earlier) {
+  const std::vector<HistoryRow> history = earlier.history();
+  return history.empty() ? 0.0 : history.back().t;
+}
+
+/// time.until, where it holds already, so that the run would not continue.
+std::optional<Until> held_until(const Scene& scene, const std::optional<Resumption>& from) {
+  const std::optional<Until> until = store_policy(scene).until;
+  return from && until && excess(*until, from->row.scalars) >= 0 ? until : std::nullopt;
+}
+
+bool asks_for_more(const RunOptions& options) {
+  return options.end || !options.summary.empty() || !options.overrides.empty();
+}
+
+/// Whether there is nothing to continue. Throws InputError where more than that is asked for.
+bool is_finished(const ResultReader& earlier, const Scene& scene, const RunOptions& options,
+                 const std::optional<Resumption>& from) {
+  const std::string name = options.result.string();
+  if (const std::optional<Until> until = held_until(scene, from)) {
+    if (asks_for_more(options))
+      throw InputError(
+          fmt::format("{}: expected a condition that does not hold yet at t = {:.6g} s, where {} "
+                      "has ended, or \"\" (none), got \"{}\"",
+                      until->where, from->row.t, name, until->text));
+    if (!options.quiet)
+      fmt::print("{} is finished: {}; --set 'time.until=\"\"' continues to time.end\n", name,
+                 until->text);
+    return true;
+  }
+  if (earlier.status() != "finished" || scene.real("time.end") != time_reached(earlier))
+    return false;
+  if (!options.summary.empty() || !options.overrides.empty())
+    throw InputError(
+        fmt::format("--set, --summary: expected a run to continue, {} is finished (--end continues "
+                    "to a later time)",
+                    name));
+  if (!options.quiet) fmt::print("{} is finished; --end continues to a later time\n", name);
+  return true;
+}
+
 /// With the model of the new end, or, where more of the boundary would come into reach until then,
 /// with that of the result, which it joins when it comes near.
 Setup set_up_as_before(const Scene& scene, const ResultReader& earlier,
@@ -109,12 +152,6 @@ Setup set_up_as_before(const Scene& scene, const ResultReader& earlier,
     throw InputError(fmt::format("{}: this version of gnomon makes a different mesh from its scene",
                                  file.string()));
   return setup;
-}
-
-/// The time that the result has reached; a result without a step has reached none.
-double time_reached(const ResultReader& earlier) {
-  const std::vector<HistoryRow> history = earlier.history();
-  return history.empty() ? 0.0 : history.back().t;
 }
 
 std::vector<std::string> field_names(const Model& first, const Resumption& from) {
@@ -137,15 +174,7 @@ int resume_command(const RunOptions& options) {
   const double reached = time_reached(earlier);
   const Scene scene = changed_scene(earlier, options);
   check_end(scene, reached, name);
-  if (earlier.status() == "finished" && scene.real("time.end") == reached) {
-    if (!options.summary.empty() || !options.overrides.empty())
-      throw InputError(fmt::format(
-          "--set, --summary: expected a run to continue, {} is finished (--end continues to "
-          "a later time)",
-          name));
-    if (!options.quiet) fmt::print("{} is finished; --end continues to a later time\n", name);
-    return success;
-  }
+  if (is_finished(earlier, scene, options, from)) return success;
   if (from) check_times(scene, earlier, from->row.t);
   if (!options.force && options.summary != "-" && std::filesystem::is_regular_file(options.summary))
     throw InputError(

@@ -46,9 +46,9 @@ void add_multiples(const Scene& scene, double end, std::vector<double>& times) {
   }
 }
 
-/// "wear_depth > 1.0", of time.until.
+/// "wear_depth > 1.0", of time.until; an empty text is none.
 std::optional<Until> read_until(const Scene& scene) {
-  if (!scene.has("time.until")) return std::nullopt;
+  if (!scene.has("time.until") || scene.text("time.until").empty()) return std::nullopt;
   Until until{scene.text("time.until"), scene.where("time.until"), {}};
   const std::size_t sign = std::min(until.text.find_first_of("<>"), until.text.size());
   until.above = until.text.substr(sign, 1) == ">";

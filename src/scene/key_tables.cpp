@@ -136,7 +136,7 @@ std::vector<Key> make_run_keys() {
       resumable(text_key(
           "time.until", absent("the run goes on to time.end"),
           "ends the run where this holds, before time.end: an observation of the history, > "
-          "or <, and a number in its unit, as in \"wear_depth > 1.0\"")),
+          "or <, and a number in its unit, as in \"wear_depth > 1.0\"; \"\": none")),
   };
   for (const auto& part : {accuracy_keys(), integrator_keys(), output_keys()})
     keys.insert(keys.end(), part.begin(), part.end());

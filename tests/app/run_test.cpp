@@ -261,6 +261,7 @@ TEST(Settings, StoreTimesAreSortedAndChecked) {
 
 TEST(Settings, AnEndByAnObservationIsRead) {
   EXPECT_FALSE(store_policy(pin_scene({})).until);
+  EXPECT_FALSE(store_policy(pin_scene({"time.until=\"\""})).until);
   const Until until = *store_policy(pin_scene({"time.until=wear_depth < 1.5e-3"})).until;
   EXPECT_EQ(until.observation, "wear_depth");
   EXPECT_FALSE(until.above);

@@ -186,6 +186,25 @@ TEST_F(Resume, GoesOnToALaterEnd) {
         << row.scalars[i].name;
 }
 
+TEST_F(Resume, ARunThatTimeUntilHasEndedGoesOnWithoutIt) {
+  run_scene(pin,
+            {"mesh.elements=[8,6]", "integrator.name=backward-euler", "integrator.step=10",
+             "time.end=200", "time.until=worn_volume > 0.1"},
+            file("r"));
+  const std::string before = bytes_of(file("r"));
+  ASSERT_EQ(ResultReader(file("r")).status(), "finished: worn_volume > 0.1");
+  const auto refused =
+      ThrowsMessage<InputError>(AllOf(HasSubstr("time.until"), HasSubstr("does not hold yet"),
+                                      HasSubstr("got \"worn_volume > 0.1\"")));
+  EXPECT_THAT([&] { resume(file("r"), {}, 300.0); }, refused);
+  EXPECT_THAT([&] { resume(file("r"), {"output.every=1"}); }, refused);
+  EXPECT_EQ(resume(file("r")), 0);  // nothing is left to do
+  EXPECT_TRUE(bytes_of(file("r")) == before);
+  ASSERT_EQ(resume(file("r"), {"time.until=\"\""}, 300.0), 0);
+  EXPECT_EQ(ResultReader(file("r")).status(), "finished");
+  EXPECT_EQ(ResultReader(file("r")).history().back().t, 300);
+}
+
 /// A load that rises to its triple at t = 20, where the first run ends.
 class ResumeAtAJump : public test::FolderTest, public testing::WithParamInterface<const char*> {};
 
