@@ -95,9 +95,8 @@ public:
     Run run = run_scene(settings_, options_, earlier, &plan_);
     for (int runs = 1; again(run, runs); ++runs) {
     }
-    print_unless(quiet_, (run.outcome.budget.empty()
-                              ? unknown_accuracy_text(run.outcome)
-                              : accuracy_text(asked_, budget_of_json(run.outcome.budget))) +
+    print_unless(quiet_, (run.outcome.budget.empty() ? unknown_accuracy_text(run.outcome)
+                                                     : last_text(run.outcome)) +
                              "\n");
     return run;
   }
@@ -111,6 +110,12 @@ private:
                        outcome.status == Status::interrupted ? "the run was interrupted"
                        : outcome.status == Status::failed    ? "the run failed"
                                                              : "it has nothing to compare");
+  }
+
+  std::string last_text(const RunOutcome& outcome) const {
+    const Budget shown = budget_of_json(outcome.budget);
+    const std::string finer = finer_text(asked_, settings_, shown);
+    return accuracy_text(asked_, shown) + (finer.empty() ? "" : "; finer would be " + finer);
   }
 
   /// False: the run stays as it is.

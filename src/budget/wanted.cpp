@@ -9,6 +9,7 @@
 #include <gnomon/budget/plan.hpp>
 #include <map>
 
+#include "budget/companions.hpp"
 #include "budget/trade.hpp"
 
 namespace gnomon {
@@ -148,31 +149,72 @@ double wanted_error(const Scene& scene, const Budget& budget) {
   return error;
 }
 
-std::string accuracy_text(const Scene& asked, const Budget& shown) {
-  std::size_t worst = 0;
+namespace {
+
+/// The largest error of a wanted value, and the part of the budget that contributes most to it.
+struct Worst {
+  std::size_t place = 0;
   double error = 0;
+  double told = 0;  ///< without parts that cannot be told of this value
+  const BudgetPart* part = nullptr;
+};
+
+Worst worst_of(const Scene& asked, const Budget& shown) {
+  Worst worst;
   for (const std::size_t i : wanted_places(asked, shown.values))
-    if (const double sum = sum_of_parts(shown, i); sum >= error) error = sum, worst = i;
-  std::string without;
+    if (const double sum = sum_of_parts(shown, i); sum >= worst.error)
+      worst.error = sum, worst.place = i;
+  double most = -1;
+  for (const BudgetPart& part : shown.parts) {
+    if (!part.unknown.empty()) continue;
+    const double error = part.errors[worst.place];
+    if (!std::isnan(error)) worst.told += error;
+    if (assumed(error) > most) most = assumed(error), worst.part = &part;
+  }
+  return worst;
+}
+
+std::string unknown_parts(const Budget& shown) {
+  std::string text;
   for (const BudgetPart& part : shown.parts)
     if (!part.unknown.empty())
-      without += fmt::format(", without that of {} ({})", part.key, part.unknown);
-  const auto part = std::ranges::max_element(shown.parts, {}, [&](const BudgetPart& each) {
-    return each.unknown.empty() ? assumed(each.errors[worst]) : 0;
-  });
+      text += fmt::format(", without that of {} ({})", part.key, part.unknown);
+  return text;
+}
+
+/// "0.41 %", or why not.
+std::string reached_text(const Worst& worst, double within, bool without_parts) {
+  if (worst.part && std::isnan(worst.part->errors[worst.place])) return "not known";
+  const std::string reached = fmt::format("{:.2g} %", 100 * worst.error);
+  if (without_parts) return "more than " + reached;
+  const bool looks_met = reached == fmt::format("{:.2g} %", 100 * within);
+  return worst.error > within && looks_met ? "a little more than " + reached : reached;
+}
+
+}  // namespace
+
+std::string accuracy_text(const Scene& asked, const Budget& shown) {
+  const Worst worst = worst_of(asked, shown);
+  const std::string without = unknown_parts(shown);
   const double within = asked.real("accuracy.within");
-  std::string reached = fmt::format("{:.2g} %", 100 * error);
-  if (without.empty() && error > within && reached == fmt::format("{:.2g} %", 100 * within))
-    reached = "a little more than " + reached;
-  if (!without.empty()) reached = "more than " + reached;
-  if (part != shown.parts.end() && part->unknown.empty() && std::isnan(part->errors[worst]))
-    reached = "not known";
+  const bool may_be_more = worst.error > within || !without.empty();
   return fmt::format("asked for {:.2g} % in {}: {}, that of {}, mostly by {}{}{}", 100 * within,
-                     fmt::join(asked.texts("accuracy.of"), ", "), reached, shown.values[worst].name,
-                     part == shown.parts.end() ? "nothing" : part->key, without,
-                     error > within ? "; this is NOT within it (gnomon plan shows what it takes)"
-                     : !without.empty() ? "; whether this is within it is not known"
-                                        : "");
+                     fmt::join(asked.texts("accuracy.of"), ", "),
+                     reached_text(worst, within, !without.empty()), shown.values[worst.place].name,
+                     worst.part ? worst.part->key : "nothing", without,
+                     worst.told > within ? "; this is NOT within it"
+                     : may_be_more       ? "; whether this is within it is not known"
+                                         : "");
+}
+
+std::string finer_text(const Scene& asked, const Scene& settings, const Budget& shown) {
+  const Worst worst = worst_of(asked, shown);
+  if (!(worst.error > asked.real("accuracy.within")) || !worst.part) return "";
+  for (const Key& key : settings.controlling_keys())
+    if (key.name == worst.part->key)
+      if (const auto finer = key.controls->scaled(settings, Finer(worst.part->source).factor))
+        return change_text(settings, *finer);
+  return "";
 }
 
 std::optional<Scene> refined(const Plan& plan, const Scene& asked, const Scene& settings,

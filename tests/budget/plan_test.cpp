@@ -18,6 +18,8 @@ namespace {
 using namespace testing;
 using budget::Choices;
 using budget::Trade;
+using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -231,6 +233,25 @@ TEST(Plan, DoesNotPromiseWhatNoPilotTells) {
   unknown.parts[0].unknown = "no other";
   EXPECT_THAT(accuracy_text(asked, unknown), HasSubstr("more than 0.2 %"));
   EXPECT_THAT(accuracy_text(asked, unknown), HasSubstr("whether this is within it is not known"));
+  EXPECT_THAT(accuracy_text(asked, budget),
+              AllOf(HasSubstr("not known, that of wear_depth, mostly by mesh.file"),
+                    HasSubstr("whether this is within it is not known")));
+}
+
+// The plan promised more; what lowers the error is told, not the plan, which is the same again.
+TEST(Plan, SaysWhatLowersAnErrorThatIsTooLarge) {
+  const Scene asked =
+      scene({"accuracy.within=0.01", "accuracy.of=[\"depth\"]", "mesh.elements=[40,20]"});
+  const auto shown = [](double mesh, double time) {
+    return Budget{.values = {{"wear_depth", "mm", 1}},
+                  .parts = {{ErrorSource::mesh, "mesh.elements", "", {mesh}},
+                            {ErrorSource::time, "integrator.rtol", "", {time}}}};
+  };
+  const Scene settings = asked.with("integrator.rtol", 1e-3);
+  EXPECT_THAT(accuracy_text(asked, shown(0.03, 0.001)), EndsWith("; this is NOT within it"));
+  EXPECT_EQ(finer_text(asked, settings, shown(0.03, 0.001)), "mesh.elements = [80, 40]");
+  EXPECT_EQ(finer_text(asked, settings, shown(0.001, 0.03)), "integrator.rtol = 0.0001");
+  EXPECT_EQ(finer_text(asked, settings, shown(0.003, 0.001)), "");
 }
 
 TEST(Plan, IsRefinedWhereItsRunShowsMore) {

@@ -55,5 +55,8 @@ std::string plan_text(const Plan& plan);
 /// In one line: "asked for 1 % in depth, volume, pressure: 0.41 %, that of inner_pressure, mostly
 /// by mesh.factor".
 std::string accuracy_text(const Scene& asked, const Budget& shown);
+/// What would lower the largest part of the error of a run with `settings`, as "mesh.factor = 0.5".
+/// Empty where the error is within the asked one, and where no key of the scene lowers that part.
+std::string finer_text(const Scene& asked, const Scene& settings, const Budget& shown);
 
 }  // namespace gnomon
