@@ -87,6 +87,11 @@ void require_moderate_number(const Scene& scene, double extent, int dimension) {
         scene.where(size_key), extent, least));
 }
 
+bool is_in(const FineZone& fine, const std::array<double, 3>& place) {
+  return std::ranges::any_of(
+      fine.balls, [&](const FineZone::Ball& ball) { return away(ball, place) <= ball[3]; });
+}
+
 /// Longest edges of facets in the zone; 0 where there is none.
 double mean_edge(const ImportedMesh& mesh, const FineZone& fine) {
   double sum = 0;
@@ -94,9 +99,7 @@ double mean_edge(const ImportedMesh& mesh, const FineZone& fine) {
   for (int k = 0; k < mesh.facets.size(); ++k) {
     const auto nodes = mesh.facets.at(k);
     const auto& first = mesh.nodes[static_cast<std::size_t>(nodes[0])];
-    if (std::ranges::none_of(
-            fine.balls, [&](const FineZone::Ball& ball) { return away(ball, first) <= ball[3]; }))
-      continue;
+    if (!is_in(fine, first)) continue;
     double longest = 0;
     for (const int node : nodes)
       longest = std::max(longest, away({first[0], first[1], first[2], 0},
@@ -105,6 +108,23 @@ double mean_edge(const ImportedMesh& mesh, const FineZone& fine) {
     ++count;
   }
   return count > 0 ? sum / count : 0;
+}
+
+/// Of the boundary in the zone, which reaches out of the body: how far two of its nodes are apart,
+/// found from the one that is farthest from any [length].
+double width_of(const ImportedMesh& mesh, const FineZone& fine) {
+  std::vector<std::array<double, 3>> places;
+  for (int k = 0; k < mesh.facets.size(); ++k)
+    for (const int node : mesh.facets.at(k))
+      if (const auto& place = mesh.nodes[static_cast<std::size_t>(node)]; is_in(fine, place))
+        places.push_back(place);
+  double width = 0;
+  for (std::size_t from = 0, sweep = 0; sweep < 3 && !places.empty(); ++sweep) {
+    const FineZone::Ball start{places[from][0], places[from][1], places[from][2]};
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (const double apart = away(start, places[i]); apart > width) width = apart, from = i;
+  }
+  return width;
 }
 
 /// Whether the geometry gives the number of elements of the contact: edges are as long as those of
@@ -124,7 +144,7 @@ std::string told(const ImportedMesh& mesh, const FineZone& fine, double factor) 
   return fmt::format(
       "where the bodies are expected to touch, over {:.3g} mm, edges are about {:.3g} "
       "mm (mesh.contact_size{})",
-      extent_of(fine), edge,
+      width_of(mesh, fine), edge,
       edge > much * wanted
           ? fmt::format(" asks for {:.3g}, but the geometry gives their number", wanted)
           : "");

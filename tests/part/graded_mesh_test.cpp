@@ -76,6 +76,13 @@ TEST_F(GradedMesh, IsFineWhereTheRollerWears) {
   EXPECT_NEAR(observed(*model, run.last(), "contact_half_width") / a, 1, 0.01);
 }
 
+// The zone of fine elements reaches out of a body whose whole face wears.
+TEST_F(GradedMesh, TellsNoContactThatIsWiderThanTheBody) {
+  folder_.write("block.geo", block);
+  EXPECT_THAT(this->model(roller_on_block, {"time.end=2e7", "mesh.contact_size=1"})->remarks,
+              Contains(HasSubstr("expected to touch, over 20 mm")));
+}
+
 TEST_F(GradedMesh, HasTheFactorOfAllEdges) {
   folder_.write("block.geo", block);
   const auto edges = edges_of(*this->model(roller_on_block, {"mesh.factor=0.5"}));
