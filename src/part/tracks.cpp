@@ -162,8 +162,9 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
                                   "a track its material passes the contact",
                                   body));
   std::optional<Streamlines<dim>> along = streamlines_of(motion->second.motion);
-  if (const auto rolls = read_rolling_body(scene, parts, body); rolling && !rolls.on_axle)
-    along = Streamlines<dim>{rolls.velocity.normalized()};
+  if (rolling)
+    if (const auto rolls = read_rolling_body(scene, parts, body); !rolls.on_axle)
+      along = Streamlines<dim>{rolls.velocity.normalized()};
   if (along) require_motion_along(scene, surface, parts.mesh, *along);
   if (!along)
     throw unfit_track(
