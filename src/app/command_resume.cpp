@@ -120,8 +120,8 @@ bool is_finished(const ResultReader& earlier, const Scene& scene, const RunOptio
   if (const std::optional<Until> until = held_until(scene, from)) {
     if (asks_for_more(options))
       throw InputError(
-          fmt::format("{}: expected a condition that does not hold yet at t = {:.6g} s, where {} "
-                      "has ended, or \"\" (none), got \"{}\"",
+          fmt::format("{}: expected a condition that does not hold yet at t = {:.6g} s, which {} "
+                      "has reached, or none (--set 'time.until=\"\"'), got \"{}\"",
                       until->where, from->row.t, name, until->text));
     if (!options.quiet)
       fmt::print("{} is finished: {}; --set 'time.until=\"\"' continues to time.end\n", name,
