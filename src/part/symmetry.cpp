@@ -73,8 +73,8 @@ double part_along(const Vector<dim>& v, int axis, double beside = 0) {
 /// Of steady rolling.
 template <int dim>
 double rolls_across(const Rolling<dim>& rolling, const Vector<dim>& x, int axis) {
-  const bool driven = rolling.force[static_cast<std::size_t>(axis)].value_or(0) != 0 ||
-                      rolling.moment.value_or(0) != 0;
+  // Also by none: half of the contact alone would have it.
+  const bool driven = rolling.force[static_cast<std::size_t>(axis)] || rolling.moment;
   return std::max({driven ? 1.0 : 0.0, part_along<dim>(rolling.velocity, axis),
                    part_along<dim>(rolling.creepage_at(x), axis)});
 }
