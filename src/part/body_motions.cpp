@@ -22,6 +22,7 @@ std::vector<Key> motion_keys_of_bodies() {
                     "its velocity, in the plane also with a third number, out of it"),
           real_key("motion.#.rotation", "rad/s", absent("none"), any_quantity,
                    "its rotation about motion.#.center, from the first direction to the second; "
+                   "where bodies roll, without a velocity, that about the axle; "
                    "axisymmetric: about r = 0; in space: about motion.#.axis, right-handed"),
           reals_key("motion.#.center", "mm", absent("no rotation"), {},
                     "point of the axis of rotation"),
@@ -33,7 +34,7 @@ std::vector<Key> motion_keys_of_bodies() {
                    "zero it drives, zero rolls freely (docs/rolling.md)"),
           real_key("motion.#.force_across", "N", absent("the velocity is given"), any_quantity,
                    "in space: the same along the axis across the velocity"),
-          real_key("motion.#.moment", "N mm", absent("the rotation is given"), any_quantity,
+          real_key("motion.#.moment", "N mm", absent("none"), any_quantity,
                    "in space, where bodies roll: on the body about motion.#.axis, the normal of "
                    "the contact, in place of its rotation, which it determines"),
           cycle_function_key(

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gnomon/base/error.hpp>
+#include <map>
 
+#include "mesh/facet_table.hpp"
+#include "model/bring_together.hpp"
 #include "part/bodies.hpp"
 #include "part/body_motions.hpp"
 #include "part/histories.hpp"
@@ -62,41 +65,68 @@ void require_along_each_other(const Scene& scene, const std::array<RollingBody<d
                        bodies[1].table));
 }
 
-/// Of a body that turns about an axle, where its facets face along `outward`.
+/// The node of a side of a pair that touches first.
 template <int dim>
-Vector<dim> velocity_of_rim(const Scene& scene, const RollingBody<dim>& body, const Mesh<dim>& mesh,
-                            const Facets<dim>& facets, const Vector<dim>& outward) {
-  const auto facing = [&](const auto& facet) {
-    return facet_normal<dim>(facet, mesh.nodes).dot(outward);
-  };
-  const auto& touches = *std::ranges::max_element(facets, {}, facing);
-  double radius = 0;  // along the outward normal: of a bore it is less than zero
-  for (const int node : touches) {
-    // Across the axis.
-    const Vector<dim> arm = body.spin * (mesh.nodes[static_cast<std::size_t>(node)] - body.centre);
-    const double size = arm.norm() / (body.spin * outward).norm();
-    if (size > std::abs(radius)) radius = std::copysign(size, arm.dot(body.spin * outward));
-  }
-  if ((body.spin * outward).norm() < along_surface * body.spin.norm())
+int first_touch(const MortarPair<dim>& pair, std::size_t side, const Mesh<dim>& mesh) {
+  const std::map<int, double> travels =
+      travels_of_side<dim>(pair, static_cast<int>(side), mesh.nodes);
+  const auto travel = [](const auto& each) { return each.second; };
+  if (travels.empty()) return (side == 0 ? pair.slave : pair.master).front().front();
+  return std::ranges::min_element(travels, {}, travel)->first;
+}
+
+/// Of a body that turns about an axle, where it touches first; along the contact.
+template <int dim>
+Vector<dim> velocity_of_rim(const Scene& scene, const RollingBody<dim>& body,
+                            const MortarPair<dim>& pair, std::size_t side, const Mesh<dim>& mesh) {
+  const Vector<dim> outward = side == 0 ? Vector<dim>(-pair.approach) : pair.approach,
+                    along = body.spin * outward;
+  if (along.norm() < along_surface * body.spin.norm())
     refuse(scene, body.table + ".rotation",
            "also the velocity of the material where it touches, beside a rotation about the normal "
            "of the contact");
-  return radius * body.spin * outward;
+  const auto node = static_cast<std::size_t>(first_touch<dim>(pair, side, mesh));
+  const Vector<dim> rim = body.spin * (mesh.nodes[node] - body.centre);
+  return std::copysign(rim.norm(), rim.dot(along)) * along.normalized();  // against it in a bore
+}
+
+/// A cone also turns about the normal of its contact.
+template <int dim>
+void tell_left_out_spin(const RollingBody<dim>& body, std::size_t side, MortarPair<dim>& pair,
+                        AssemblyParts<dim>& parts) {
+  constexpr double little = 1e-3;
+  const int node = first_touch<dim>(pair, side, parts.mesh);
+  Vector<dim> normal = Vector<dim>::Zero();
+  for (const auto& facet : side == 0 ? pair.slave : pair.master)
+    if (std::ranges::count(facet, node) > 0)
+      normal += facet_normal<dim>(facet, parts.mesh.nodes).normalized();
+  const double rate = body.spin.norm() / std::sqrt(2.0),
+               across = (body.spin * normal.normalized()).norm() / rate;
+  const double about = std::sqrt(std::max(0.0, 1 - across * across));
+  if (about > little)
+    parts.remarks.push_back(
+        fmt::format("\"{}\" turns by {:.3g} rad/s about the normal of its contact, which rolling "
+                    "leaves out: with its velocity given, a rotation of the other body has it",
+                    pair.bodies[side], about * rate));
 }
 
 /// The velocities of both bodies; alike along what a force determines, where the search begins.
 template <int dim>
-void read_velocities(const Scene& scene, const AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
+void read_velocities(const Scene& scene, AssemblyParts<dim>& parts, MortarPair<dim>& pair) {
   std::array<RollingBody<dim>, 2> bodies;
   for (std::size_t side = 0; side < 2; ++side) {
     RollingBody<dim>& body = bodies[side] = read_rolling_body(scene, parts, pair.bodies[side]);
-    if (body.on_axle)
-      body.velocity =
-          velocity_of_rim<dim>(scene, body, parts.mesh, side == 0 ? pair.slave : pair.master,
-                               side == 0 ? Vector<dim>(-pair.approach) : pair.approach);
+    if (body.on_axle) {
+      body.velocity = velocity_of_rim<dim>(scene, body, pair, side, parts.mesh);
+      tell_left_out_spin<dim>(body, side, pair, parts);
+    }
     pair.velocities[side] = body.velocity;
   }
   require_along_each_other(scene, bodies);
+  for (const RollingBody<dim>& body : bodies)
+    if (body.force[0] && bodies[0].velocity.dot(bodies[1].velocity) < 0)
+      refuse(scene, body.table + (body.on_axle ? ".rotation" : ".velocity"),
+             "one by which both bodies go the same way where they touch");
   for (std::size_t side = 0; side < 2; ++side)
     for (int i = 0; i < dim; ++i)
       if (bodies[side].force[i != axis_along<dim>(bodies[side].velocity)])
@@ -113,7 +143,7 @@ void read_spin(const Scene& scene, const RollingBody<dim>& body, const Vector<di
   if ((turn * approach).norm() > along_surface * turn.norm())
     refuse(scene, key,
            "an axis along the normal of the contact where bodies roll: a rotation about the axle "
-           "is the velocity of the material where it touches, and a moment about it a force there");
+           "is one without a velocity, and a moment about it a force where they touch");
   if (!rolling.spin.isZero(0) || rolling.moment)
     refuse(scene, key, "a rotation or a moment of one of the two bodies");
   rolling.centre = body.centre;
@@ -140,7 +170,7 @@ Rolling<dim> rolling_of(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (parts.pairs.size() > 1 && (rolling.creeps() || !rolling.spin.isZero(0)))
     throw InputError(scene.path().string() +
                      ": [[motion]]: expected velocities alone where several pairs roll, and no "
-                     "force or rotation");
+                     "force, spin or moment");
   return rolling;
 }
 

@@ -6,7 +6,9 @@ namespace gnomon::rolling_in_space_test {
 namespace {
 
 using namespace testing;
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Forces on the counter-body against the velocity and across it, and a moment about the normal.
 std::string drives(double against, double across, double moment) {
@@ -70,6 +72,24 @@ Overrides drives_of_wheel(const std::string& velocity, const Overrides& drives) 
                          "motion.1.center=[0.0, 0.0, 0.0]"};
   overrides.insert(overrides.end(), drives.begin(), drives.end());
   return overrides;
+}
+
+/// The wheel on the rail turns about its axle, 460 mm above; on a cone it also spins.
+TEST_F(PairRolling, AWheelInSpaceTurnsAboutItsAxle) {
+  std::string text = wheel(), tread = text_of(shipped("wheel_on_rail.geo"));
+  const std::string velocity = "velocity = [20020.0, 0.0, 0.0]", cylinder = "cone = 0;";
+  text.replace(text.find(velocity), velocity.size(),
+               "rotation = -43.5217391304\ncenter = [0.0, 0.0, 460.0]\naxis = [0.0, 1.0, 0.0]");
+  const Overrides overrides = {"mesh.file=" + shipped("wheel_on_rail.geo").string(),
+                               "mesh.factor=3.5", "wear.on=[\"head\"]"};
+  const auto model = this->model(text, overrides);
+  Counters counters;
+  EXPECT_NEAR(observed(*model, model->start(counters), "creepage_x"), 1e-3, 1e-6);
+  EXPECT_THAT(model->remarks, Not(Contains(HasSubstr("about the normal of its contact"))));
+  folder_.write("cone.geo", tread.replace(tread.find(cylinder), cylinder.size(), "cone = 0.05;"));
+  const auto on_cone =
+      this->model(text, {"mesh.file=cone.geo", "mesh.factor=3.5", "wear.on=[\"head\"]"});
+  EXPECT_THAT(on_cone->remarks, Contains(HasSubstr("about the normal of its contact")));
 }
 
 /// Of the wheel on the rail.
