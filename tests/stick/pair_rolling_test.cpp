@@ -214,7 +214,8 @@ TEST_F(PairRolling, WhatDoesNotGoTogetherIsRefused) {
   std::string text = rolling_cap(1000);
   expect_refused(text, {"motion.1.force=1", "motion.2.force=1"}, "a force on one of the two");
   expect_refused(text, {"motion.1.force_across=1"}, "none in the plane");
-  expect_refused(text, {"motion.1.rotation=1", "motion.1.center=[0.0, 0.0]"}, "either a rotation about");
+  expect_refused(text, {"motion.1.rotation=1", "motion.1.center=[0.0, 0.0]"},
+                 "either a rotation about");
   expect_refused(text, {"shape.constraint=multiplier"}, "where bodies roll");
   expect_refused(text, {"pair.1.friction=0"}, "a coefficient above zero where bodies roll");
   expect_refused(text, {"motion.1.velocity=[0.0, 0.0]"}, "by whose velocities they roll");
