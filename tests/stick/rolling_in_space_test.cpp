@@ -46,12 +46,7 @@ Physical Surface("bottom") = {5}; Physical Surface("surface") = {6}; Physical Vo
 )");
   const auto model = this->model(ball("", 0, drives(20, 10, -2)),
                                  {"mesh.file=small.geo", "wear.coefficient=1e-6"});
-  Counters counters;
-  std::vector<double> y = model->start(counters).y;
-  const Structure& structure = model->system().structure();
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] += 0.05 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
-  const ActiveSet branch = active_set(model->system(), 0, y);
+  const auto [y, branch] = near_the_start(*model);
   check_jacobian(model->system(), 0, y, 0.2, &branch, 1e-4);
 }
 

@@ -128,14 +128,7 @@ TEST_F(RollingScenes, JacobianEqualsFiniteDifferences) {
     const auto model =
         this->model(cylinder("", 0.3), {"mesh.file=coarse.geo", "wear.coefficient=1e-6",
                                         fmt::format("body.material={}", material)});
-    Counters counters;
-    std::vector<double> y = model->start(counters).y;
-    const Structure& structure = model->system().structure();
-    for (std::size_t i = 0; i < y.size(); ++i)
-      y[i] += 0.05 * structure.unknown_scale[i] * std::sin(1.0 + 7.0 * double(i));
-    const ActiveSet branch = active_set(model->system(), 0, y);
-    EXPECT_GT(std::ranges::count(branch, 1), 2);
-    EXPECT_GT(std::ranges::count(branch, 0), 2);
+    const auto [y, branch] = near_the_start(*model);
     check_jacobian(model->system(), 0, y, 0.2, &branch, 1e-4);
   }
 }
