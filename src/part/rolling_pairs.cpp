@@ -78,24 +78,23 @@ int first_touch(const MortarPair<dim>& pair, std::size_t side, const Mesh<dim>& 
 /// Of a body that turns about an axle, where it touches first; along the contact.
 template <int dim>
 Vector<dim> velocity_of_rim(const Scene& scene, const RollingBody<dim>& body,
-                            const MortarPair<dim>& pair, std::size_t side, const Mesh<dim>& mesh) {
+                            const MortarPair<dim>& pair, std::size_t side,
+                            const Vector<dim>& touches) {
   const Vector<dim> outward = side == 0 ? Vector<dim>(-pair.approach) : pair.approach,
                     along = body.spin * outward;
   if (along.norm() < along_surface * body.spin.norm())
     refuse(scene, body.table + ".rotation",
            "also the velocity of the material where it touches, beside a rotation about the normal "
            "of the contact");
-  const auto node = static_cast<std::size_t>(first_touch<dim>(pair, side, mesh));
-  const Vector<dim> rim = body.spin * (mesh.nodes[node] - body.centre);
+  const Vector<dim> rim = body.spin * (touches - body.centre);
   return std::copysign(rim.norm(), rim.dot(along)) * along.normalized();  // against it in a bore
 }
 
 /// A cone also turns about the normal of its contact.
 template <int dim>
-void tell_left_out_spin(const RollingBody<dim>& body, std::size_t side, MortarPair<dim>& pair,
-                        AssemblyParts<dim>& parts) {
+void tell_left_out_spin(const RollingBody<dim>& body, const MortarPair<dim>& pair, std::size_t side,
+                        int node, AssemblyParts<dim>& parts) {
   constexpr double little = 1e-3;
-  const int node = first_touch<dim>(pair, side, parts.mesh);
   Vector<dim> normal = Vector<dim>::Zero();
   for (const auto& facet : side == 0 ? pair.slave : pair.master)
     if (std::ranges::count(facet, node) > 0)
@@ -117,8 +116,10 @@ void read_velocities(const Scene& scene, AssemblyParts<dim>& parts, MortarPair<d
   for (std::size_t side = 0; side < 2; ++side) {
     RollingBody<dim>& body = bodies[side] = read_rolling_body(scene, parts, pair.bodies[side]);
     if (body.on_axle) {
-      body.velocity = velocity_of_rim<dim>(scene, body, pair, side, parts.mesh);
-      tell_left_out_spin<dim>(body, side, pair, parts);
+      const int node = first_touch<dim>(pair, side, parts.mesh);
+      body.velocity = velocity_of_rim<dim>(scene, body, pair, side,
+                                           parts.mesh.nodes[static_cast<std::size_t>(node)]);
+      tell_left_out_spin<dim>(body, pair, side, node, parts);
     }
     pair.velocities[side] = body.velocity;
   }
