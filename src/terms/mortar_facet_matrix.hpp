@@ -174,6 +174,12 @@ public:
   const Eigen::RowVectorXd& mean() const { return mean_; }
   /// The rows of u of a corner.
   auto force_on(int a) const { return K_.middleRows(u_row(a), dim); }
+  /// Their sum.
+  Eigen::MatrixXd force_on_slave() const {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(dim, K_.cols());
+    for (int a = 0; a < corners; ++a) sum += force_on(a);
+    return sum;
+  }
 
 private:
   /// A force that is `area` times the traction of corner a; `by_area` by the area.

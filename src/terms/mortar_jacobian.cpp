@@ -94,11 +94,10 @@ void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& fac
   std::vector<int> rows = rows_of(facet, nodes);
   if (!acts(facet, tangent.facet, state)) rows.resize(corners * (1 + dim));  // lambda and r
   add(rows, columns, matrix.values(), values);
-  for (int a = 0; a < corners; ++a) {
+  if (!creepage_numbers_.empty()) add(creepage_numbers_, columns, matrix.force_on_slave(), values);
+  for (int a = 0; spin_numbers_.size() > 0 && a < corners; ++a) {
     const int node = sides_[facet.sides[a]].node;
-    if (!creepage_numbers_.empty()) add(creepage_numbers_, columns, matrix.force_on(a), values);
-    if (const std::vector<int> spin = spin_number(node); !spin.empty())
-      add(spin, columns, state_.path->arm[node] * matrix.force_on(a), values);
+    add(spin_number(node), columns, state_.path->arm[node] * matrix.force_on(a), values);
   }
   add(mean_number(facet.pair), columns, matrix.mean(), values);
 }
