@@ -42,9 +42,61 @@ private:
   }
 };
 
-/// Rows: lambda of the corners, r of the corners where friction may stick, then u and d of the
-/// nodes with rows; columns: the own unknowns of each corner (MortarTraction), then u and d of all
-/// nodes.
+/// How the positions and normals of which a facet's sums are functions move with its nodes.
+template <int dim>
+class FacetMotion {
+  static constexpr int corners = Mesh<dim>::facet_nodes;
+  static constexpr Eigen::Index size = dim;  // its products are indices
+  using Tangent = MortarFacetTangent<dim>;
+
+public:
+  struct ByNode {
+    int position = 0;  ///< among the nodes
+    Tensor<dim> by;    ///< of a normal, by the node's u or d
+  };
+
+  /// `nodes` must outlive the object.
+  FacetMotion(const FacetNodes<dim>& nodes, const PairPlaces<dim>& places)
+      : nodes_(nodes), turn_({places.of[0].turn, places.of[1].turn}) {}
+  void set_normal(int a, const ContactPatch<dim>& patch, const NodeNormal<dim>& normal) {
+    for (std::size_t p = 0; p < patch.nodes.size(); ++p)
+      if (!normal.by_x[p].isZero(0))
+        normal_[a].push_back({nodes_.position(patch.nodes[p]), normal.by_x[p] * turn_[0]});
+  }
+
+  const FacetNodes<dim>& nodes() const { return nodes_; }
+  const Tensor<dim>& turn(int body) const { return turn_[body]; }  ///< 0: slave, 1: master
+  const std::vector<ByNode>& normal(int a) const { return normal_[a]; }
+  /// Derivatives by u, then by d, of all nodes, from those by the inputs of a MortarFacetTangent.
+  Eigen::MatrixXd by_nodes(const Eigen::Ref<const Eigen::MatrixXd>& by_input) const {
+    constexpr int X = 0, x = corners * dim, n = 2 * corners * dim, y = Tangent::own;
+    const Eigen::Index columns = size * std::ssize(nodes_.all);
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(by_input.rows(), 2 * columns);
+    auto by_u = result.leftCols(columns);
+    const auto move = [&](int position, int input, const Tensor<dim>& by) {
+      by_u.middleCols(size * position, dim).noalias() += by_input.middleCols(input, dim) * by;
+    };
+    for (int a = 0; a < corners; ++a) {
+      move(a, x + dim * a, turn_[0]);
+      for (const ByNode& node : normal_[a]) move(node.position, n + dim * a, node.by);
+    }
+    for (std::size_t k = 0; k < nodes_.masters.size(); ++k)
+      for (int b = 0; b < corners; ++b)
+        move(nodes_.masters[k][b], y + static_cast<int>(k) * Tangent::each + dim * b, turn_[1]);
+    // A change of d moves the undeformed position and, with it, the current one.
+    result.rightCols(columns) = by_u;
+    result.middleCols(columns, size * corners) += by_input.middleCols(X, size * corners);
+    return result;
+  }
+
+private:
+  const FacetNodes<dim>& nodes_;
+  std::array<Tensor<dim>, 2> turn_;
+  std::array<std::vector<ByNode>, corners> normal_;
+};
+
+/// Rows: lambda of the corners, then u and d of the nodes with rows; columns: the own unknowns of
+/// each corner (MortarTraction), then u and d of all nodes.
 template <int dim>
 class FacetMatrix {
   static constexpr int corners = Mesh<dim>::facet_nodes;
@@ -53,37 +105,22 @@ class FacetMatrix {
   using Wide = Eigen::Matrix<double, dim, Eigen::Dynamic>;
 
 public:
-  /// `own`: unknowns of each corner.
-  FacetMatrix(const FacetNodes<dim>& nodes, const Tangent& tangent, const PairPlaces<dim>& places,
-              int own)
-      : nodes_(nodes),
+  /// `own`: unknowns of each corner. The others must outlive the object.
+  FacetMatrix(const FacetMotion<dim>& motion, const Tangent& tangent, int own)
+      : nodes_(motion.nodes()),
+        motion_(motion),
         tangent_(tangent),
-        turn_({places.of[0].turn, places.of[1].turn}),
         own_(own),
-        constraints_(corners * (own > 1 ? 1 + size : 1)),
-        columns_(dim * std::ssize(nodes.all)) {
-    const auto rows = static_cast<int>(nodes.rows);
-    K_ = Eigen::MatrixXd::Zero(constraints_ + 2 * size * rows, corners * own_ + 2 * columns_);
+        columns_(dim * std::ssize(nodes_.all)),
+        G_(motion.by_nodes(tangent.by_input)) {
+    const auto rows = static_cast<int>(nodes_.rows);
+    K_ = Eigen::MatrixXd::Zero(corners + 2 * size * rows, corners * own_ + 2 * columns_);
     mean_ = Eigen::RowVectorXd::Zero(K_.cols());
-    // A change of d moves the undeformed position and, with it, the current one.
-    G_ = Eigen::MatrixXd::Zero(tangent.by_input.rows(), 2 * columns_);
-    constexpr int X = 0, x = corners * dim, y = Tangent::own;
-    for (int a = 0; a < corners; ++a) {
-      G_.middleCols(columns_ + size * a, dim) += tangent.by_input.middleCols(X + size * a, dim);
-      move(a, tangent.by_input.middleCols(x + dim * a, dim) * turn_[0]);
-    }
-    for (std::size_t k = 0; k < nodes.masters.size(); ++k)
-      for (int b = 0; b < corners; ++b)
-        move(nodes.masters[k][b],
-             tangent.by_input.middleCols(y + static_cast<int>(k) * Tangent::each + dim * b, dim) *
-                 turn_[1]);
   }
 
-  /// The traction of a corner, which must outlive the matrix, and its normal as functions of
-  /// positions; of all corners, before anything is added.
-  void set_corner(int a, const ContactPatch<dim>& patch, const NodeNormal<dim>& normal,
-                  const MortarTraction<dim>& traction) {
-    constexpr int n = 2 * corners * dim;
+  /// The traction of a corner, which must outlive the matrix; of all corners, before anything is
+  /// added.
+  void set_traction(int a, const MortarTraction<dim>& traction) {
     Wide& traction_by = traction_by_[a];
     Eigen::RowVectorXd& speed_by = speed_by_[a];
     traction_by = Wide::Zero(dim, 2 * columns_);
@@ -95,43 +132,23 @@ public:
         speed_by.segment(first, dim) += faster;
       }
     };
-    for (std::size_t p = 0; p < patch.nodes.size(); ++p) {
-      if (normal.by_x[p].isZero(0)) continue;
-      const int position = nodes_.position(patch.nodes[p]);
-      const Tensor<dim> by = normal.by_x[p] * turn_[0];
-      move(position, tangent_.by_input.middleCols(n + dim * a, dim) * by);
+    for (const auto& [position, by] : motion_.normal(a))
       add(position, traction.by_n * by, traction.speed_by_n * by);
-    }
-    add(a, traction.by_x * turn_[0], traction.speed_by_x * turn_[0]);
+    add(a, traction.by_x * motion_.turn(0), traction.speed_by_x * motion_.turn(0));
     traction_[a] = &traction;
   }
 
   /// The contact of a closed corner.
   void add_slave(int a, double initial_area) {
-    add_force(u_row(a), a, tangent_.facet.D[a] * turn_[0].transpose(),
-              turn_[0].transpose() * traction_[a]->value, G_.row(a));
+    const Tensor<dim> back = motion_.turn(0).transpose();
+    add_force(u_row(a), a, tangent_.facet.D[a] * back, back * traction_[a]->value, G_.row(a));
     K_.row(a).tail(2 * columns_) += G_.row(Tangent::row_of_gap + a) / initial_area;
   }
   /// Its force on corner b of a covering master.
   void add_pressing(int a, int master, int b) {
-    add_force(u_row(nodes_.masters[master][b]), a,
-              -tangent_.facet.masters[master].M(a, b) * turn_[1].transpose(),
-              -turn_[1].transpose() * traction_[a]->value, G_.row(row_of(master, a, b)));
-  }
-  /// The place of a corner on its partner: the mean of `undeformed`, the positions of each master's
-  /// nodes, over the whole area that is covered.
-  void add_place(int a, double area, const Vector<dim>& mean,
-                 const std::vector<FacetNodal<dim>>& undeformed) {
-    const int row = corners + dim * a;
-    auto by_nodes = K_.block(row, corners * own_, dim, 2 * columns_);
-    by_nodes += mean / area * G_.row(a);
-    for (std::size_t k = 0; k < undeformed.size(); ++k)
-      for (int b = 0; b < corners; ++b) {
-        const int master = static_cast<int>(k);
-        by_nodes -= undeformed[k].row(b).transpose() / area * G_.row(row_of(master, a, b));
-        by_nodes.middleCols(columns_ + dim * nodes_.masters[k][b], dim) -=
-            tangent_.facet.masters[k].M(a, b) / area * Tensor<dim>::Identity();
-      }
+    const Tensor<dim> back = -motion_.turn(1).transpose();
+    add_force(u_row(nodes_.masters[master][b]), a, tangent_.facet.masters[master].M(a, b) * back,
+              back * traction_[a]->value, G_.row(Tangent::row_of_M(master, a, b)));
   }
   /// Its wear along a direction per volume, with the rate and its derivatives by pressure and
   /// speed.
@@ -147,7 +164,7 @@ public:
   /// The wear of corner b of a master by the area that it shares with corner a.
   void add_master_wear(int a, int master, int b, const Vector<dim>& direction, double by_shared) {
     K_.block(d_row(nodes_.masters[master][b]), corners * own_, dim, 2 * columns_) +=
-        by_shared * direction * G_.row(row_of(master, a, b) + corners * corners);
+        by_shared * direction * G_.row(Tangent::row_of_M(master, a, b) + corners * corners);
   }
   /// The same by the pressure and the speed of corner a.
   void add_master_wear_by_traction(int a, int master, int b, const Vector<dim>& direction,
@@ -189,23 +206,15 @@ private:
     K_.block(row, corners * own_, dim, 2 * columns_) += by_area * change + area * traction_by_[a];
     K_.block(row, own_ * a, dim, own_) += area * traction_[a]->by_own;
   }
-  template <class Columns>
-  void move(int position, const Columns& by) {
-    G_.middleCols(size * position, dim) += by;
-    G_.middleCols(columns_ + size * position, dim) += by;
-  }
-  Eigen::Index u_row(int position) const { return constraints_ + size * position; }
+  Eigen::Index u_row(int position) const { return corners + size * position; }
   Eigen::Index d_row(int position) const {
-    return constraints_ + size * (static_cast<int>(nodes_.rows) + position);
-  }
-  static int row_of(int master, int a, int b) {
-    return Tangent::row_of_masters + master * Tangent::rows_of_master + corners * b + a;
+    return corners + size * (static_cast<int>(nodes_.rows) + position);
   }
 
   const FacetNodes<dim>& nodes_;
+  const FacetMotion<dim>& motion_;
   const Tangent& tangent_;
-  std::array<Tensor<dim>, 2> turn_;  // of slave and master
-  Eigen::Index own_, constraints_, columns_;
+  Eigen::Index own_, columns_;
   Eigen::MatrixXd G_, K_;  // G: derivatives of the facet's sums by u and d of all nodes
   std::array<const MortarTraction<dim>*, corners> traction_{};
   Eigen::RowVectorXd mean_;

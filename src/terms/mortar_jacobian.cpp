@@ -56,29 +56,20 @@ void MortarTerm<dim>::add_side(const Evaluation<dim>& at, const Side& side, cons
   add(rows, mean, state.rate.by_mean_friction_power * along, values);
 }
 
-/// What depends on the sums of a facet.
+/// The contact and wear that depend on the sums of a facet.
 template <int dim>
 void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& facet,
-                                const MortarFacetTangent<dim>& tangent, const Surfaces& state,
+                                const MortarFacetTangent<dim>& tangent,
+                                const FacetMotion<dim>& motion, const Surfaces& state,
                                 std::span<double> values) const {
-  std::vector<int> covering;
-  for (const auto& master : tangent.facet.masters) covering.push_back(master.facet);
-  const FacetNodes<dim> nodes = nodes_of(facet, covering);
+  const FacetNodes<dim>& nodes = motion.nodes();
   const auto own = static_cast<int>(own_numbers_.front().size());
-  FacetMatrix<dim> matrix(nodes, tangent, places_[facet.pair], own);
-  for (int a = 0; a < corners; ++a) {
-    const SideState& slave = state.sides[facet.sides[a]];
-    matrix.set_corner(a, patch(sides_[facet.sides[a]]), *slave.normal, slave.traction);
-  }
-  std::vector<FacetNodal<dim>> labels;
-  for (const int master : covering)
-    if (state_.path) labels.push_back(labels_of(at, facet.pair, master));
+  FacetMatrix<dim> matrix(motion, tangent, own);
+  for (int a = 0; a < corners; ++a) matrix.set_traction(a, state.sides[facet.sides[a]].traction);
   for (int a = 0; a < corners; ++a) {
     const Side& side = sides_[facet.sides[a]];
     const SideState& slave = state.sides[facet.sides[a]];
     if (slave.active) matrix.add_slave(a, patch(side).initial_area);
-    if (state_.path && slave.area > 0)
-      matrix.add_place(a, slave.area, slave.covering / slave.area, labels);
     if (slave.direction)
       matrix.add_slave_wear(a, weight(side) * slave.direction->value, slave.rate.value,
                             slave.rate_by_pressure, slave.rate_by_speed);
@@ -86,20 +77,57 @@ void MortarTerm<dim>::add_facet(const Evaluation<dim>& at, const SlaveFacet& fac
     const MeanPart part = mean_part(at, side, slave);
     matrix.add_to_mean(a, part.by_area, part.by_pressure, part.by_speed);
   }
-  for (std::size_t k = 0; k < covering.size(); ++k)
-    for (int b = 0; b < corners; ++b)
+  for (std::size_t k = 0; k < tangent.facet.masters.size(); ++k)
+    for (int b = 0; b < corners; ++b) {
+      const int master = tangent.facet.masters[k].facet;
       add_master(facet, state, static_cast<int>(k), b,
-                 side_of(facet.pair, state_.pairs[facet.pair].master[covering[k]][b]), matrix);
+                 side_of(facet.pair, state_.pairs[facet.pair].master[master][b]), matrix);
+    }
   const std::vector<int> columns = columns_of(facet, nodes);
-  std::vector<int> rows = rows_of(facet, nodes);
-  if (!acts(facet, tangent.facet, state)) rows.resize(corners * (1 + dim));  // lambda and r
-  add(rows, columns, matrix.values(), values);
+  add(rows_of(facet, nodes), columns, matrix.values(), values);
   if (!creepage_numbers_.empty()) add(creepage_numbers_, columns, matrix.force_on_slave(), values);
   for (int a = 0; spin_numbers_.size() > 0 && a < corners; ++a) {
     const int node = sides_[facet.sides[a]].node;
     add(spin_number(node), columns, state_.path->arm[node] * matrix.force_on(a), values);
   }
   add(mean_number(facet.pair), columns, matrix.mean(), values);
+}
+
+/// The place of each corner on its partner: the mean of where the masters' nodes are undeformed,
+/// over the whole area of the corner that is covered.
+template <int dim>
+void MortarTerm<dim>::add_places(const Evaluation<dim>& at, const SlaveFacet& facet,
+                                 const MortarFacetTangent<dim>& tangent,
+                                 const FacetMotion<dim>& motion, const Surfaces& state,
+                                 std::span<double> values) const {
+  using Tangent = MortarFacetTangent<dim>;
+  const FacetNodes<dim>& nodes = motion.nodes();
+  std::vector<FacetNodal<dim>> labels;
+  for (const auto& master : tangent.facet.masters)
+    labels.push_back(labels_of(at, facet.pair, master.facet));
+  // By the inputs of the tangent first: these are fewer sums than it has.
+  Eigen::MatrixXd by_input = Eigen::MatrixXd::Zero(dim * corners, tangent.by_input.cols());
+  std::vector<int> rows;
+  for (int a = 0; a < corners; ++a) {
+    const SideState& slave = state.sides[facet.sides[a]];
+    for (int i = 0; i < dim; ++i) rows.push_back(place_number(sides_[facet.sides[a]], i));
+    if (!(slave.area > 0)) continue;
+    auto of_corner = by_input.middleRows(dim * a, dim);
+    of_corner += slave.covering / (slave.area * slave.area) * tangent.by_input.row(a);
+    for (std::size_t k = 0; k < labels.size(); ++k)
+      for (int b = 0; b < corners; ++b)
+        of_corner -= labels[k].row(b).transpose() / slave.area *
+                     tangent.by_input.row(Tangent::row_of_M(static_cast<int>(k), a, b));
+  }
+  Eigen::MatrixXd K = motion.by_nodes(by_input);
+  const Eigen::Index by_d = K.cols() / 2;
+  for (int a = 0; a < corners; ++a)
+    for (std::size_t k = 0; k < labels.size(); ++k)
+      for (int b = 0; b < corners; ++b)
+        if (const double area = state.sides[facet.sides[a]].area; area > 0)
+          K.template block<dim, dim>(dim * a, by_d + dim * nodes.masters[k][b]) -=
+              tangent.facet.masters[k].M(a, b) / area * Tensor<dim>::Identity();
+  add(rows, numbers_of(nodes.all, false), K, values);
 }
 
 template <int dim>
@@ -154,13 +182,23 @@ void MortarTerm<dim>::add_jacobian(const Evaluation<dim>& at, double rate_weight
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     const MortarFacet<dim>& sums = (*result.facets)[f];
-    const bool has_places = state_.path && !sums.masters.empty();
-    if (!has_places && !acts(facets_[f], sums, result)) continue;
+    const bool has_places = state_.path && !sums.masters.empty(),
+               has_forces = acts(facets_[f], sums, result);
+    if (!has_places && !has_forces) continue;
     // One after the other: in space each is large.
     const auto [slave, masters] = places_of(facets_[f], at, result);
     const MortarFacetTangent<dim> tangent(slave, masters, facets_[f].masters, state_.section,
                                           state_.pairs[facets_[f].pair].reach);
-    add_facet(at, facets_[f], tangent, result, values);
+    std::vector<int> covering;
+    for (const auto& master : tangent.facet.masters) covering.push_back(master.facet);
+    const FacetNodes<dim> nodes = nodes_of(facets_[f], covering);
+    FacetMotion<dim> motion(nodes, places_[facets_[f].pair]);
+    for (int a = 0; a < corners; ++a) {
+      const int side = facets_[f].sides[a];
+      motion.set_normal(a, patch(sides_[side]), *result.sides[side].normal);
+    }
+    if (has_places) add_places(at, facets_[f], tangent, motion, result, values);
+    if (has_forces) add_facet(at, facets_[f], tangent, motion, result, values);
   }
 }
 

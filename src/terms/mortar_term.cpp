@@ -113,9 +113,6 @@ std::vector<int> MortarTerm<dim>::rows_of(const SlaveFacet& facet,
                                           const FacetNodes<dim>& nodes) const {
   std::vector<int> rows;
   for (const int side : facet.sides) rows.push_back(lambda_number(sides_[side]));
-  if (state_.path)
-    for (const int side : facet.sides)
-      for (int i = 0; i < dim; ++i) rows.push_back(place_number(sides_[side], i));
   for (const int number : numbers_of(nodes.with_rows(), true)) rows.push_back(number);
   return rows;
 }

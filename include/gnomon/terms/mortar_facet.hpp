@@ -43,6 +43,9 @@ struct MortarFacetTangent {
   MortarFacetTangent(FacetPair<dim> pair, const std::vector<FacetNodal<dim>>& y,
                      const std::vector<int>& facets, Section section, double reach);
   static constexpr int row_of_gap = n, row_of_masters = 2 * n, rows_of_master = 2 * n * n;
+  static constexpr int row_of_M(int master, int a, int b) {
+    return row_of_masters + master * rows_of_master + n * b + a;
+  }
 };
 
 }  // namespace gnomon

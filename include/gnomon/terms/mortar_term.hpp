@@ -91,6 +91,8 @@ struct MortarState {
 template <int dim>
 class FacetMatrix;
 template <int dim>
+class FacetMotion;
+template <int dim>
 struct FacetNodes;
 
 template <int dim>
@@ -211,8 +213,11 @@ private:
                 double rate_weight, std::span<double> values) const;
   bool acts(const SlaveFacet& facet, const MortarFacet<dim>& sums, const Surfaces& at) const;
   void add_facet(const Evaluation<dim>& at, const SlaveFacet& facet,
-                 const MortarFacetTangent<dim>& tangent, const Surfaces& state,
-                 std::span<double> values) const;
+                 const MortarFacetTangent<dim>& tangent, const FacetMotion<dim>& motion,
+                 const Surfaces& state, std::span<double> values) const;
+  void add_places(const Evaluation<dim>& at, const SlaveFacet& facet,
+                  const MortarFacetTangent<dim>& tangent, const FacetMotion<dim>& motion,
+                  const Surfaces& state, std::span<double> values) const;
   void add_master(const SlaveFacet& facet, const Surfaces& at, int master, int b, int side,
                   FacetMatrix<dim>& matrix) const;
   FacetNodes<dim> nodes_of(const SlaveFacet& facet, const std::vector<int>& masters) const;
