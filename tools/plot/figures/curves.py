@@ -35,18 +35,27 @@ class Length(Curve):
         return self.label_of("length along the initial surface [mm]")
 
 
-def of(result):
+def of(result, body=None):
+    """Of two bodies that meet on one of them, the first if none is given."""
+    first = of_one_body(result, result.contact(0), body)
+    name = name_of_body(result, first)
     if result.dim == 2:
-        first = of_one_body(result, result.contact(0))
         axis = longer_axis(first)
-        return [Curve(result, axis, name_of_body(result, first),
-                      lambda table: in_order(of_one_body(result, table), axis),
+        return [Curve(result, axis, name,
+                      lambda table: in_order(of_one_body(result, table, body), axis),
                       result.axes["xy".index(axis)])]
-    edges = edges_of(space.contact_faces(result))
-    name = name_of_body(result, result.contact(0))
+    edges = edges_of(space.contact_faces(result, body))
     return [Curve(result, axis, ", ".join(filter(None, [f"at ${across}$ = 0", name])),
                   lambda table, axis=axis, across=across: cut(table, edges, across, axis))
             for axis, across in ("xy", "yx")]
+
+
+def that_slip(result, step):
+    """As of(), of two bodies that meet on the one whose nodes carry friction that may stick."""
+    if not result.has_pairs:
+        return of(result)
+    slip = numpy.abs(result.phase_slip(step)).sum(axis=(0, 2))
+    return of(result, result.bodies[result.contact(step)["node"]][numpy.argmax(slip)])
 
 
 def of_whole_surface(result, steps):
@@ -92,12 +101,13 @@ def longer_axis(table):
     return "y" if numpy.ptp(table["Y0"]) > numpy.ptp(table["X0"]) else "x"
 
 
-def of_one_body(result, table):
-    """Of two bodies that meet, one: the pressures of the other are the same."""
+def of_one_body(result, table, body=None):
+    """Of two bodies that meet, one, the first if none is given: the pressures of the other are the
+    same."""
     if not result.has_pairs:
         return table
     bodies = result.bodies[table["node"]]
-    return table[bodies == bodies[0]]
+    return table[bodies == (bodies[0] if body is None else body)]
 
 
 def name_of_body(result, table):

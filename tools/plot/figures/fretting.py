@@ -65,7 +65,7 @@ def driven(rows, dim):
 
 def draw_zones(axes, result):
     step = len(result.times) - 1
-    line = line_of(result, step)
+    line = curves.that_slip(result, step)[0]
     where, states = zones_of(result, line, step)
     borders = cycle.parts_of_cycle(result.phases)
     colours = [style.BAND, style.COLOURS[0], style.COLOURS[5]]
@@ -82,18 +82,6 @@ def draw_zones(axes, result):
     axes.set_title("$t$ = " + result.clock.text(result.times[step]))
     axes.legend(handles=[Patch(color=colour, label=name) for colour, name in zip(colours, STATES)],
                 loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3)
-
-
-def line_of(result, step):
-    """In the plane of two bodies that whose nodes carry the slip."""
-    line = curves.of(result)[0]
-    if result.dim == 3 or not result.has_pairs:
-        return line
-    bodies = result.bodies[result.contact(step)["node"]]
-    slip = numpy.abs(result.phase_slip(step)).sum(axis=(0, 2))
-    carry = bodies == bodies[numpy.argmax(slip)]
-    return curves.Curve(result, line.axis, curves.name_of_body(result, result.contact(step)[carry]),
-                        lambda table: curves.in_order(table[carry], line.axis), line.axis_name)
 
 
 def zones_of(result, line, step):

@@ -9,7 +9,8 @@ from . import curves, style
 def draw(result):
     figure = style.figure(width=style.DOUBLE, height=0.7 * style.SINGLE)
     stress, slip = figure.subplots(1, 2)
-    line, step = curves.of(result)[0], len(result.times) - 1
+    step = len(result.times) - 1
+    line = curves.that_slip(result, step)[0]
     where, pressure, traction, slipped = along(result, line, step)
     stress.plot(where, pressure, color=style.COLOURS[0], label="pressure")
     stress.plot(where, traction, color=style.COLOURS[5], marker="o", markersize=2,
