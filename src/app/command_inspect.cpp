@@ -163,8 +163,9 @@ void history_command(const std::filesystem::path& file) {
     throw InputError(file.string() + ": no state is recorded, not even the start");
   fmt::print("t,step,order,newton_iterations,factorizations");
   for (const Scalar& scalar : history.front().scalars)
-    fmt::print(",{}", scalar.unit.empty() ? scalar.name
-                                          : fmt::format("{} [{}]", scalar.name, scalar.unit));
+    fmt::print(",{}", study::csv_text(scalar.unit.empty()
+                                          ? scalar.name
+                                          : fmt::format("{} [{}]", scalar.name, scalar.unit)));
   fmt::print("\n");
   for (const HistoryRow& row : history) {
     fmt::print("{},{},{},{},{}", row.t, row.step.step, row.step.order,

@@ -97,6 +97,41 @@ TEST_F(PartCommands, AResultNeedsNeitherSceneNorGeometryToGoOn) {
   EXPECT_NEAR(json["worn_volume"].get<double>() / worn, 1, 1e-5);
 }
 
+/// Cells that hold what separates cells are quoted.
+TEST_F(PartCommands, NamesWithCommasDoNotShiftColumns) {
+  write("two.geo", R"(SetFactory("OpenCASCADE");
+Rectangle(1) = {-1, 0, 0, 2, 1}; Rectangle(2) = {-3, -1, 0, 6, 1};
+Transfinite Curve "*" = 7; Transfinite Surface "*"; Recombine Surface "*";
+Physical Surface("pin, left") = {1}; Physical Surface("base") = {2};
+Physical Curve("foot") = {1}; Physical Curve("sides") = {2, 4}; Physical Curve("top") = {3};
+Physical Curve("bottom") = {5}; Physical Curve("face") = {7};
+)");
+  write("two.toml", R"(problem = "worn_body"
+mesh.file = "two.geo"
+body = [ { name = "pin, left", young_modulus = 1e3, poisson_ratio = 0.3 },
+         { name = "base", young_modulus = 1e3, poisson_ratio = 0.3 } ]
+pair = [ { bodies = ["base", "pin, left"], friction = 0.0 } ]
+motion = [ { body = "base", velocity = [1.0, 0.0] } ]
+support = [ { on = "bottom" }, { on = "sides", directions = ["x"] } ]
+load = [ { on = "top", force = [0.0, -1.0] } ]
+wear = { on = ["foot", "face"], coefficient = 1e-6, surfaces.face.path = 10.0 }
+time.end = 1.0
+)");
+  const Outcome ended = gnomon({"run", "two.toml", "-o", "two.h5", "--quiet"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const std::string history = gnomon({"history", "two.h5"}).out;
+  const auto cells = [](const std::string& line) {
+    bool is_quoted = false;
+    return 1 + std::ranges::count_if(line, [&](char c) {
+             if (c == '"') is_quoted = !is_quoted;
+             return c == ',' && !is_quoted;
+           });
+  };
+  const std::size_t first = history.find('\n'), second = history.find('\n', first + 1);
+  EXPECT_THAT(history.substr(0, first), HasSubstr("pin, left"));
+  EXPECT_EQ(cells(history.substr(0, first)), cells(history.substr(first + 1, second - first - 1)));
+}
+
 TEST_F(PartCommands, SceneAndHistoryComeBackFromAResult) {
   ASSERT_EQ(run(300).exit_code, 0);
   const Outcome scene = gnomon({"scene", "a.h5"});
