@@ -39,6 +39,8 @@ public:
   }
   /// The values of all fields over the next cycle, with the memory at its begin.
   const FieldValues<dim>& cycle();
+  /// r of every contact node in the phase that is known last.
+  const NodalField<dim>& place() const { return place_; }
 
 private:
   struct Alone;

@@ -227,7 +227,20 @@ std::vector<Phase<dim>> halved(const Assembly<dim>& assembly) {
                      assembly.interface.force);
 }
 
-/// The mean wear rates of the next cycle of a path, with each phase in two halves.
+/// The longest way that a contact node slips in a cycle.
+template <int dim>
+double longest_slip(const std::vector<PhaseContact<dim>>& phases) {
+  double longest = 0;
+  for (std::size_t c = 0; c < phases.front().nodes.size(); ++c) {
+    double way = 0;
+    for (const PhaseContact<dim>& phase : phases) way += phase.nodes[c].slip.norm();
+    longest = std::max(longest, way);
+  }
+  return longest;
+}
+
+/// The mean wear rates of the next cycle of a path, with each phase in two halves; of the one after
+/// it where this one does not end as it began.
 template <int dim>
 std::vector<double> mean_rate_of_halves(const WornBodyEquations<dim>& equations,
                                         const FieldValues<dim>& values, double t) {
@@ -238,14 +251,21 @@ std::vector<double> mean_rate_of_halves(const WornBodyEquations<dim>& equations,
   Counters counters;
   PathMarch<dim> march(finer, guess, t, counters, rough_newton);
   march.go_on_from(guess, values.vector(equations.fields().memory));
-  const FieldValues<dim> next = march.cycle();
   const ComposedSystem<dim> system(finer.composition());
-  std::vector<double> y(static_cast<std::size_t>(system.structure().size));
-  system.numbering().gather(next, y);
-  std::vector<PhaseContact<dim>> contacts;
-  for (std::size_t p = 0; p < finer.phases().size(); ++p)
-    contacts.push_back(
-        {finer.phases()[p].weight, finer.contact_nodes(system, next, {.t = t, .y = y}, p)});
+  const auto contacts_of = [&](const FieldValues<dim>& cycle) {
+    std::vector<double> y(static_cast<std::size_t>(system.structure().size));
+    system.numbering().gather(cycle, y);
+    std::vector<PhaseContact<dim>> contacts;
+    for (std::size_t p = 0; p < finer.phases().size(); ++p)
+      contacts.push_back(
+          {finer.phases()[p].weight, finer.contact_nodes(system, cycle, {.t = t, .y = y}, p)});
+    return contacts;
+  };
+  constexpr double closed = 1e-3;
+  const NodalField<dim> begin = march.place();
+  std::vector<PhaseContact<dim>> contacts = contacts_of(march.cycle());
+  const double open = (march.place() - begin).rowwise().norm().maxCoeff();
+  if (open > closed * longest_slip(contacts)) contacts = contacts_of(march.cycle());
   return mean_rate(contacts);
 }
 
