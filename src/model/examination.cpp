@@ -189,8 +189,10 @@ Examination WearModel<dim>::examine(const State& state) const {
   if (assembly().interface.sticks) {
     const CycleOfSlip slip = cycle_of_slip(assembly(), contacts);
     facts.stick_area = slip.stick_area;
+    facts.slip_area = slip.slip_area;
     const std::vector<PlaceAndForce<dim>> loop = this->loop(values, state.t, contacts);
-    if (is_rubbed(assembly(), loop)) facts.slip_zone = width_of_slip_zone(assembly(), slip.holds);
+    facts.rubs = is_rubbed(assembly(), loop);
+    if (facts.rubs) facts.slip_zone = width_of_slip_zone(assembly(), slip.holds);
     if (!assembly().cycle->motion.cycle.rotation)
       for (const PlaceAndForce<dim>& at : loop)
         facts.turn = std::max(facts.turn, std::abs(at.angle));

@@ -60,13 +60,15 @@ CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
   constexpr double rounding = 1e-6;
   const double least = rounding * assembly.interface.friction * assembly.scales.displacement;
   for (std::size_t c = 0; c < paths.size(); ++c) {
-    if (result.holds[c] == Hold::open || paths[c] > std::max(creeping * result.path, least))
-      continue;
-    result.holds[c] = Hold::sticks;
-    result.stick_area += assembly.copies * phases.front().nodes[c].share;
+    if (result.holds[c] == Hold::open) continue;
+    const bool sticks = paths[c] <= std::max(creeping * result.path, least);
+    if (sticks) result.holds[c] = Hold::sticks;
+    (sticks ? result.stick_area : result.slip_area) +=
+        assembly.copies * phases.front().nodes[c].share;
   }
   result.work = sum_over_processes(result.work);
   result.stick_area = sum_over_processes(result.stick_area);
+  result.slip_area = sum_over_processes(result.slip_area);
   return result;
 }
 

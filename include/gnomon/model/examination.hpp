@@ -106,8 +106,9 @@ struct Examination {
   std::optional<MovedAxis> moved_axis{};          ///< of pairs, the one with the largest part
   std::optional<UnseenSliding> unseen_sliding{};  ///< likewise
   std::optional<GapError> gap_error{};            ///< where wear is a gap
-  /// Where friction may stick: CycleOfSlip::stick_area.
-  double stick_area = 0;
+  /// Where friction may stick: of CycleOfSlip.
+  double stick_area = 0, slip_area = 0;
+  bool rubs = true;  ///< there, friction changes over the cycle
   /// There, if friction changes over the cycle: width_of_slip_zone().
   std::optional<int> slip_zone{};
   /// There, the largest angle of a counter-body that a moment turns [rad].
