@@ -35,7 +35,7 @@ constexpr std::array table = {
     Quantity{"thickness_left", "", "",
              "where wear is a gap: smallest part of the thickness of a body that wear has left"},
     Quantity{"friction_work", "N", "N mm", "work of friction in a cycle, where it may stick"},
-    Quantity{"slip_path", "mm", "mm", "longest slip of a contact node in a cycle"},
+    Quantity{"slip_path", "mm", "mm", "longest slip of a contact node in a cycle, while it touches"},
     Quantity{"stroke", "mm", "mm",
              "range over a cycle in which the partner moves along the contact"},
     Quantity{"friction_force", "N/mm", "N", "largest force along the contact in a cycle"},
