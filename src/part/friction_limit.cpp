@@ -223,6 +223,20 @@ std::string remark_on_friction(const Scene& scene, const AssemblyParts<dim>& par
 }
 
 template <int dim>
+std::optional<double> used_friction(const AssemblyParts<dim>& parts) {
+  const KnownForces<dim> forces(parts);
+  double most = 0;
+  for (const Phase<dim>& phase : parts.phases) {
+    if (!forces.are_known(phase)) return {};
+    const auto [across, along] = forces.at(phase, 0, 0);
+    const double held = forces.friction(0, 0) * across;
+    if (held > 0) most = std::max(most, std::min(along / held, 1.0));
+  }
+  if (most == 0) return {};
+  return most;
+}
+
+template <int dim>
 void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& parts) {
   const bool may_end_before = scene.given("time.until") && !scene.text("time.until").empty();
   if (dim == 3 || may_end_before) return;
@@ -236,6 +250,8 @@ void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& part
 
 template std::string remark_on_friction(const Scene&, const AssemblyParts<2>&);
 template std::string remark_on_friction(const Scene&, const AssemblyParts<3>&);
+template std::optional<double> used_friction(const AssemblyParts<2>&);
+template std::optional<double> used_friction(const AssemblyParts<3>&);
 template void require_balanced_rolling(const Scene&, const AssemblyParts<2>&);
 template void require_balanced_rolling(const Scene&, const AssemblyParts<3>&);
 

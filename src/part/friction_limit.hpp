@@ -3,6 +3,7 @@
 
 #include <gnomon/model/assembly.hpp>
 #include <gnomon/scene/scene.hpp>
+#include <optional>
 #include <string>
 
 namespace gnomon::part {
@@ -11,6 +12,11 @@ namespace gnomon::part {
 /// are.
 template <int dim>
 std::string remark_on_friction(const Scene& scene, const AssemblyParts<dim>& parts);
+
+/// The largest part of what friction holds that forces on a counter-body use over the phases at the
+/// start; nothing where they are not known.
+template <int dim>
+std::optional<double> used_friction(const AssemblyParts<dim>& parts);
 
 /// Throws InputError where such forces, of pairs those beside loads on a body that nothing else
 /// holds, are more than friction carries in steady rolling in the plane, as far as a scene tells.

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "part/changing_friction.hpp"
+#include "part/friction_limit.hpp"
 #include "part/histories.hpp"
 #include "part/loads.hpp"
 
@@ -181,10 +182,20 @@ AssemblyParts<dim> with_chosen_path(const Scene& scene,
   return parts;
 }
 
+namespace {
+
+/// Slip in half a cycle, in the mean over the contact of spheres, by what friction can shear them,
+/// where it is used to a part q (R. D. Mindlin and H. Deresiewicz, 1953).
+double mean_slip(double q) {
+  const double rest = 1 - q, whole = 1.2;
+  return whole * std::max(1 - std::pow(rest, 5. / 3) - 5. / 6 * q * (1 + std::pow(rest, 2. / 3)),
+                          5. / 162 * q * q * q);  // where the difference is rounding
+}
+
+}  // namespace
+
 template <int dim>
 double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
-  constexpr double slipping =
-      0.05;  // of the shear, in the mean over a contact half of which sticks
   const double shear = parts.interface.friction * expected.scales.displacement,
                period = parts.cycle->motion.cycle.period;
   double stroke = 0;
@@ -196,9 +207,10 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
       stroke = std::max(stroke, (carried(phase) - carried(other)).norm());
   const double given = *parts.interface.speed;
   if (stroke > 2 * shear) return given;
-  // Less than half of the contact slips where the stroke is short beside the shear.
-  const double part = stroke > 0 ? std::min(1.0, stroke / (2 * shear)) : 1,
-               most = 4 * slipping * shear * part * part / period,
+  constexpr double not_known = 0.85;
+  const double used = stroke > 0 ? 1 - std::pow(1 - std::min(1.0, stroke / (2 * shear)), 1.5)
+                                 : used_friction(parts).value_or(not_known),
+               most = 4 * mean_slip(used) * shear / period,
                speed = given > 0 ? std::min(given, most) : most;
   if (given == 0) return speed;  // what wears is not known yet
   const double deepest = expected.scales.wear_depth * speed / given;
