@@ -212,9 +212,10 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
                                  : used_friction(parts).value_or(not_known),
                most = 4 * mean_slip(used) * shear / period,
                speed = given > 0 ? std::min(given, most) : most;
-  if (given == 0) return speed;  // what wears is not known yet
-  const double deepest = expected.scales.wear_depth * speed / given;
-  return speed * std::min(1.0, expected.scales.displacement / deepest);
+  if (given == 0) return speed;       // what wears is not known yet
+  constexpr double rounding = 1e-10;  // of displacements, whose slip is no wear to follow
+  const double by_displacement = expected.scales.displacement / expected.scales.wear_depth * given;
+  return std::clamp(speed, rounding * by_displacement, by_displacement);
 }
 
 namespace {
