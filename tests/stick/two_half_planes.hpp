@@ -11,10 +11,25 @@
 
 namespace gnomon::testing {
 
+/// By which `count` heights that begin at `first` grow from one to the next, of a sum of one.
+inline double growth_of_heights(double first, int count) {
+  double least = 1, most = 3;
+  for (int k = 0; k < 60; ++k) {
+    const double growth = (least + most) / 2;
+    double sum = 0, height = first;
+    for (int i = 0; i < count; ++i, height *= growth) sum += height;
+    (sum < 1 ? least : most) = growth;
+  }
+  return least;
+}
+
 /// A cap of a cylinder of 6 mm radius on a block, without common points: where they touch, squares
-/// of `half` elements over `side` to both sides of the middle, and layers around them.
-inline std::string two_half_planes(int half, int layers, double growth, double side = 0.06) {
-  return fmt::format(R"(b = {}; w = 2; R = 6; n = {}; m = {}; r = {};
+/// of `half` elements over `side` to both sides of the middle, and layers around them. The elements
+/// that touch are `flat` times as high as wide.
+inline std::string two_half_planes(int half, int layers, double growth, double side = 0.06,
+                                   double flat = 1) {
+  const int down = flat < 1 ? half * 6 / 5 : half;
+  return fmt::format(R"(b = {}; w = 2; R = 6; n = {}; v = {}; q = {}; m = {}; r = {};
 lift = R - Sqrt(R * R - b * b); side = R - Sqrt(R * R - w * w);
 For k In {{0:1}}
   s = 1 - 2 * k; o = 20 * k; e = k * lift; g = k * side;
@@ -36,7 +51,8 @@ For k In {{0:1}}
   Curve Loop(o+3) = {{o+6, o+10, -(o+7), -(o+2)}}; Plane Surface(o+3) = {{o+3}};
   Curve Loop(o+4) = {{o+7, o+11, -(o+8), -(o+3)}}; Plane Surface(o+4) = {{o+4}};
   Transfinite Curve {{o+2, o+4, o+10}} = 2 * n + 1;
-  Transfinite Curve {{o+1, o+3, o+9, o+11}} = n + 1;
+  Transfinite Curve {{o+1, -(o+3)}} = v + 1 Using Progression q;
+  Transfinite Curve {{o+9, o+11}} = v + 1;
   Transfinite Curve {{o+5, o+6, o+7, o+8}} = m + 1 Using Progression r;
   Transfinite Surface {{o+1}}; Transfinite Surface {{o+2}};
   Transfinite Surface {{o+3}}; Transfinite Surface {{o+4}};
@@ -47,7 +63,8 @@ Physical Curve("top") = {{30}}; Physical Curve("round") = {{24}};
 Physical Curve("sides") = {{29, 31}};
 Physical Surface("flat") = {{1, 2, 3, 4}}; Physical Surface("cap") = {{21, 22, 23, 24}};
 )",
-                     side, half, layers, growth);
+                     side, half, down, flat < 1 ? growth_of_heights(flat / half, down) : 1, layers,
+                     growth);
 }
 
 /// Of two similar bodies under a tangential force of ratio Q / (f P), found by the run.
