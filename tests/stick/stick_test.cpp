@@ -389,6 +389,28 @@ TEST_F(Fretting, TheErrorOfThePhasesIsThatOfHalvedOnes) {
   EXPECT_LT(error[0], 0.05);
 }
 
+/// Halved phases end their first cycle with other places than it began with.
+TEST_F(Fretting, TheErrorOfThePhasesIsThatOfAClosedCycle) {
+  std::string text = bed("x = \"0.02 * sin(2*pi*tau)\"\ny = \"-0.015 * cos(2*pi*tau)\"");
+  for (const auto& [from, to] :
+       {std::pair{"{ on = \"bottom\", stiffness = 1e4 }",
+                  "{ on = \"bottom\", directions = [\"x\"], stiffness = 400.0 }, "
+                  "{ on = \"bottom\", directions = [\"y\"], stiffness = 1e3 }"},
+        {"force = 20.0", "approach = 0.01"},  // which lets go in a part of the cycle
+        {"1e9", "1e5"}})
+    text.replace(text.find(from), std::string(from).size(), to);
+  std::vector<double> flux, error;
+  for (const char* phases : {"32", "64"}) {
+    const auto model = this->model(text, {fmt::format("cycle.phases={}", phases)});
+    Counters counters;
+    const State start = model->start(counters);
+    flux.push_back(observed(*model, start, "wear_flux"));
+    error.push_back(model->phase_error(start).value().error);
+  }
+  EXPECT_GT(std::abs(flux[0] / flux[1] - 1), 0.01);
+  EXPECT_NEAR(error[0] / std::abs(flux[0] / flux[1] - 1), 1, 0.1);
+}
+
 TEST_F(Fretting, PhasesAreChosenByTheirError) {
   const auto model = this->model(cylinder("x = \"0.002 * sin(2*pi*tau)\"", 0.3),
                                  {"cycle.phases=auto", "integrator.rtol=4e-3"});
@@ -447,6 +469,82 @@ TEST_F(SlipZone, NarrowerThanElementsIsTold) {
   EXPECT_THAT(doubts(facts), Contains(HasSubstr("is 2 elements wide")));
   facts.slip_zone = 3;
   EXPECT_THAT(doubts(facts), Not(Contains(HasSubstr("wide"))));
+}
+
+/// Of a stick that shrinks, the part of what stuck or of what slipped that begins to slip.
+TEST_F(SlipZone, ThatGrowsIsTold) {
+  const Examination start{.stick_area = 1, .slip_area = 0.2};
+  for (const double end : {0.94, 0.98, 0.995}) {
+    const auto found = doubts(start, Examination{.stick_area = end, .slip_area = 1.2 - end});
+    const bool is_told = std::ranges::any_of(found, [](const std::string& text) {
+      return text.find("has shrunk") != std::string::npos;
+    });
+    EXPECT_EQ(is_told, end < 0.99) << end;
+  }
+}
+
+/// Rounding errors of slip are no wear that steps must follow.
+TEST_F(Fretting, WhatHardlyMovesTakesNoStepsAndIsTold) {
+  const auto model =
+      this->model(cylinder("x = \"8e-10 * sin(2*pi*tau)\""),
+                  {"friction.coefficient=0.01", "time.cycles=1", "mesh.file=coarse.geo"});
+  Counters counters;
+  EXPECT_THAT(doubts(model->examine(model->start(counters))),
+              Contains(HasSubstr("less than a thousandth of what it can hold")));
+  const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1);
+  EXPECT_LT(run.states.size(), 6);
+  EXPECT_EQ(observed(*model, run.last(), "worn_volume"), 0);
+}
+
+/// A load that goes round presses a shaft on one place of a bore after the other: the way is that
+/// of its centre, a polygon around the clearance.
+TEST_F(Fretting, ALoadMayGoRound) {
+  folder_.write("bush.geo", R"(r = 10.05; s = 14;
+Point(1) = {0, 0, 0};
+For i In {0:3}
+  Point(10+i) = {r * Cos(i*Pi/2), r * Sin(i*Pi/2), 0};
+  Point(20+i) = {s * Cos(i*Pi/2), s * Sin(i*Pi/2), 0};
+EndFor
+For i In {0:3}
+  j = (i + 1) % 4;
+  Circle(10+i) = {10+i, 1, 10+j}; Circle(20+i) = {20+i, 1, 20+j}; Line(30+i) = {10+i, 20+i};
+EndFor
+For i In {0:3}
+  Curve Loop(i+1) = {30+i, 20+i, -(30+(i+1)%4), -(10+i)}; Plane Surface(i+1) = {i+1};
+EndFor
+Transfinite Curve {10:13, 20:23} = 13; Transfinite Curve {30:33} = 4;
+Transfinite Surface "*"; Recombine Surface "*";
+Physical Curve("bore") = {10:13}; Physical Curve("housing") = {20:23}; Physical Surface("bush") = {1:4};
+)");
+  const auto model = this->model(R"toml(problem = "worn_body"
+mesh.file = "bush.geo"
+body = { young_modulus = 3e5, poisson_ratio = 0.3, material = "linear" }
+support = [ { on = "housing" } ]
+friction = { coefficient = 0.05, stick = true }
+wear = { on = ["bore"], coefficient = 1e-8 }
+time.cycles = 10
+[counter_body]
+shape = "cylinder"
+radius = 10.0
+center = [0.0, 0.0]
+[[counter_body.press]]
+direction = [0.0, -1.0]
+force = 100.0
+cycle = "cos(2*pi*tau)"
+[[counter_body.press]]
+direction = [1.0, 0.0]
+force = 100.0
+cycle = "sin(2*pi*tau)"
+[cycle]
+period = 1.0
+phases = 16
+)toml",
+                                 {});
+  Counters counters;
+  const State start = model->start(counters);
+  EXPECT_NEAR(observed(*model, start, "contact_force"), 100, 1);
+  const double way = 16 * 2 * std::sin(M_PI / 16) * 0.05;
+  EXPECT_NEAR(observed(*model, start, "friction_work") / (0.05 * 100 * way), 1, 0.03);
 }
 
 TEST_F(Fretting, WhatDoesNotGoTogetherIsRefused) {
