@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gnomon/cycles/cycle.hpp>
 #include <gnomon/cycles/cycle_quadrature.hpp>
@@ -13,6 +14,14 @@ namespace {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
 constexpr double end = 1 - 1e-12;  // of a cycle, where it has not yet begun again
+
+/// Spread over the cycle as no function of a shorter period is.
+std::array<double, 100> sampled_positions() {
+  std::array<double, 100> positions{};
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    positions[k] = std::fmod(static_cast<double>(k) * std::numbers::phi, 1.0);
+  return positions;
+}
 
 }  // namespace
 
@@ -38,12 +47,12 @@ std::vector<double> CycleFunction::kinks(double turn) const {
       },
       expression_.kinks());
   double size = 0, steepness = 0;
-  for (int k = 0; k < 100; ++k) {
-    size = std::max(size, std::abs(value(k / 100.0)));
-    steepness = std::max(steepness, std::abs(slope(k / 100.0)));
+  for (const double tau : sampled_positions()) {
+    size = std::max(size, std::abs(value(tau)));
+    steepness = std::max(steepness, std::abs(slope(tau)));
   }
-  const bool ends_as_it_begins =
-      std::abs(gap(turn)) <= 1e-9 * size && std::abs(slope(end) - slope(0)) <= 1e-9 * steepness;
+  const bool ends_as_it_begins = std::abs(gap(turn)) <= 1e-9 * size + (1 - end) * steepness &&
+                                 std::abs(slope(end) - slope(0)) <= 1e-9 * steepness;
   if (!ends_as_it_begins && (found.empty() || found.front() > 0)) found.insert(found.begin(), 0);
   return found;
 }
@@ -71,8 +80,8 @@ std::vector<std::string> Cycle::remarks() const {
                            double turn, const std::string& unit) {
     if (!function) return;
     double most = 0;
-    for (int k = 0; k < 100; ++k)
-      most = std::max(most, std::abs(function->value(k / 100.0) - function->value(0)));
+    for (const double tau : sampled_positions())
+      most = std::max(most, std::abs(function->value(tau) - function->value(0)));
     const double gap = function->gap(turn);
     if (std::abs(gap) > rounding * most)
       found.push_back(fmt::format(

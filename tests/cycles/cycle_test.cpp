@@ -39,6 +39,7 @@ TEST(CycleFunction, KnowsItsKinks) {
   EXPECT_THAT(function("sin(2*pi*tau)").kinks(), testing::IsEmpty());
   EXPECT_THAT(function("abs(sin(2*pi*tau - 1))").kinks(),
               ElementsAre(DoubleNear(0.5 / M_PI, 1e-12), DoubleNear(0.5 + 0.5 / M_PI, 1e-12)));
+  EXPECT_THAT(function("0.05*sin(2*pi*1000*tau)").kinks(), testing::IsEmpty());
   // These end otherwise than they begin.
   EXPECT_THAT(function("abs(tau - 0.5)").kinks(), ElementsAre(0, DoubleNear(0.5, 1e-12)));
   EXPECT_THAT(function("tau").kinks(), ElementsAre(0));
@@ -258,6 +259,7 @@ TEST(Cycle, SaysWhichMotionsDoNotEndWhereTheyBegin) {
     return read_cycle(scene_of(text))->remarks();
   };
   EXPECT_THAT(remarks("x = \"sin(2*pi*tau)\"\nrotation = \"2*pi*tau\"\n"), IsEmpty());
+  EXPECT_THAT(remarks("x = \"0.05*sin(2*pi*1000*tau)\"\n"), IsEmpty());
   EXPECT_THAT(remarks("x = \"1 + 0.1*tau\"\nrotation = \"tau\"\n"),
               ElementsAre(HasSubstr("cycle.x ends 0.1 mm from where it begins"),
                           HasSubstr("cycle.rotation ends 1 rad")));
