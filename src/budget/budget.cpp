@@ -51,8 +51,10 @@ private:
     Trial coarse = companions_.run(twice, "twice as large elements", &run_.goals);
     part.how = change_text(run_.scene, twice);
     require_refined_contact(coarse.goals, run_.goals);
-    extrapolate(part, budget_.values, mesh_differences(coarse.goals, run_.goals),
-                coarser_differences(key, coarse, part));
+    const std::vector<double> before = coarser_differences(key, coarse, part);
+    std::vector<double> changes = mesh_differences(coarse.goals, run_.goals);
+    forget_nothing(coarse.goals, budget_.values, changes, part.doubt);
+    extrapolate(part, budget_.values, changes, before);
     coarse_ = std::move(coarse);
     coarse_is_ = change_text(run_.scene, twice);
   }

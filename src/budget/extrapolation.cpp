@@ -52,6 +52,10 @@ bool is_of_edge(const std::string& value) {
   return value == "wear_depth" || value == "profile" || value == "max_pressure";
 }
 
+void add_doubt(const std::string& text, std::string& doubt) {
+  doubt += (doubt.empty() ? "" : "; ") + text;
+}
+
 Extrapolated with_order(double fine, double coarse, double order) {
   const double difference =
       std::isnan(coarse) ? std::abs(fine) : std::max(std::abs(fine), std::abs(coarse) / 8);
@@ -127,6 +131,23 @@ Extrapolated extrapolated_at_edge(double fine, double coarse) {
   return with_order(fine, coarse, std::max(observed, lowest));
 }
 
+void forget_nothing(const Goals& companion, const std::vector<Scalar>& values,
+                    std::vector<double>& differences, std::string& doubt) {
+  constexpr double nothing = 1e-3;  // of the value of the run
+  std::vector<std::string> absent;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto other = value_of(companion.values, values[i].name);
+    if (!other || !(std::abs(*other) < nothing * std::abs(values[i].value))) continue;
+    differences[i] = not_known;
+    absent.push_back(values[i].name);
+  }
+  if (!absent.empty())
+    add_doubt(fmt::format("the companion with larger elements has nothing of {}, where the run has "
+                          "some: the error is not known",
+                          fmt::join(absent, ", ")),
+              doubt);
+}
+
 void extrapolate(BudgetPart& part, const std::vector<Scalar>& values,
                  const std::vector<double>& fine, const std::vector<double>& coarse, double finer) {
   std::vector<std::string> growing;
@@ -141,10 +162,11 @@ void extrapolate(BudgetPart& part, const std::vector<Scalar>& values,
                                     100 * std::abs(coarse[i]), 100 * std::abs(fine[i])));
   }
   if (!growing.empty())
-    part.doubt = fmt::format(
-        "the changes of {} from larger to smaller elements hardly fall: the error is not known, "
-        "and may be several times as large",
-        fmt::join(growing, ", "));
+    add_doubt(
+        fmt::format("the changes of {} from larger to smaller elements hardly fall: the error is "
+                    "not known, and may be several times as large",
+                    fmt::join(growing, ", ")),
+        part.doubt);
 }
 
 void respect_run(const std::vector<double>& fine, const std::vector<double>& coarse, double times,

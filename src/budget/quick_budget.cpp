@@ -79,8 +79,10 @@ private:
     const Trial fine = cheap(*smaller, "a finer mesh", &coarse_->goals);
     part.how = change_text(scene_, fine.scene) + " against " + change_text(scene_, coarse_->scene);
     require_refined_contact(coarse_->goals, fine.goals);
-    extrapolate(part, budget_.values, mesh_differences(coarse_->goals, fine.goals),
-                coarser_differences(key, 2 * factor), factor / 2);
+    const std::vector<double> before = coarser_differences(key, 2 * factor);
+    std::vector<double> changes = mesh_differences(coarse_->goals, fine.goals);
+    forget_nothing(coarse_->goals, budget_.values, changes, part.doubt);
+    extrapolate(part, budget_.values, changes, before, factor / 2);
     respect_run(mesh_differences(fine.goals, goals_), mesh_differences(coarse_->goals, goals_),
                 factor / 2, part.errors);
   }

@@ -52,6 +52,26 @@ TEST(Extrapolation, NamesTheValuesWhoseErrorIsNotKnown) {
   EXPECT_GT(budget.total(1), 0.005);
 }
 
+/// On coarse elements all sticks, and rounding wears.
+TEST(Extrapolation, KnowsNothingFromACompanionWithoutTheValue) {
+  const std::vector<Scalar> values = {
+      {"worn_volume", "mm^2", 4e-5}, {"wear_depth", "mm", 7e-5}, {"max_pressure", "MPa", 170}};
+  Goals coarse;
+  coarse.values = {
+      {"worn_volume", "mm^2", 3e-15}, {"wear_depth", "mm", 0}, {"max_pressure", "MPa", 120}};
+  std::vector<double> changes = {-1e10, not_known, 0.1};
+  BudgetPart part{.source = ErrorSource::mesh, .key = "mesh.factor", .how = {}, .errors = {}};
+  forget_nothing(coarse, values, changes, part.doubt);
+  extrapolate(part, values, changes, {0.5, 0.5, 0.2});
+  EXPECT_TRUE(std::isnan(part.errors[0]));
+  EXPECT_TRUE(std::isnan(part.errors[1]));
+  EXPECT_GT(part.errors[2], 0.05);
+  EXPECT_EQ(part.doubt,
+            "the companion with larger elements has nothing of worn_volume, wear_depth, where the "
+            "run has some: the error is not known");
+  EXPECT_TRUE(std::isnan(Budget{.values = values, .parts = {part}}.total(0)));
+}
+
 /// The run changes by 2 % to elements four times as large: its error is not 240 %.
 TEST(Extrapolation, OfCoarseMeshesIsNotFarMoreThanTheRunAllows) {
   std::vector<double> errors = {2.4, 0.01, not_known, 0.5};
