@@ -178,6 +178,15 @@ double elements_on_curves() {
   return count;
 }
 
+bool curves_follow_sizes() {
+  constexpr double smaller = 0.25;
+  const double count = elements_on_curves(), factor = get("Mesh.MeshSizeFactor");
+  set("Mesh.MeshSizeFactor", smaller * factor);
+  const double more = elements_on_curves();
+  set("Mesh.MeshSizeFactor", factor);
+  return more > count;
+}
+
 void mesh_geometry(double size, double factor, bool has_options,
                    std::vector<std::string>& remarks) {
   const int dimension = gmsh::model::getDimension();

@@ -32,6 +32,10 @@ void ask_for_zone(const std::string& zone);
 /// The number of elements on all curves of the current model, which is left without a mesh.
 double elements_on_curves();
 
+/// Whether sizes set the number of elements on some curve of the current model, which is left
+/// without a mesh.
+bool curves_follow_sizes();
+
 /// Meshes the current model with quadrilaterals (hexahedra) of first order. `size` as
 /// MeshFileOptions has it. Without options of its own, as a script has them, a geometry gets
 /// elements that follow its curvature. Says in `remarks` what the user may not expect.

@@ -328,8 +328,8 @@ TEST_F(MeshFile, RefusesGeometriesThatGmshCannotMesh) {
   EXPECT_THAT(refusal(put("e.step", "ISO-10303-21;\nHEADER;\n")), HasSubstr("Gmsh"));
 }
 
-TEST_F(MeshFile, SaysThatAFactorChangesNothing) {
-  const auto remarks = [&](const std::string& count, double factor) {
+TEST_F(MeshFile, SaysThatAFactorOrASizeChangesNothing) {
+  const auto remarks = [&](const std::string& count, double factor, double size = 0) {
     const fs::path file = put(
         "square.geo",
         "Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};\n"
@@ -338,12 +338,20 @@ TEST_F(MeshFile, SaysThatAFactorChangesNothing) {
             count +
             ";\nTransfinite Surface{1};\nPhysical Curve(\"edge\") = {1:4};\nPhysical "
             "Surface(\"all\") = {1};\n");
-    return read_mesh_file(file, {.factor = factor}).remarks;
+    return read_mesh_file(file, {.size = size, .factor = factor}).remarks;
   };
   EXPECT_THAT(remarks("5", 1), ::testing::IsEmpty());
   EXPECT_THAT(remarks("5", 1 + 1e-15), ::testing::IsEmpty());
   EXPECT_THAT(remarks("5", 0.5), ElementsAre(HasSubstr("elements on no curve")));
   EXPECT_THAT(remarks("4 / Mesh.MeshSizeFactor + 1", 0.5), ::testing::IsEmpty());
+  EXPECT_THAT(remarks("5", 1, 0.1),
+              ElementsAre(HasSubstr("its size changes the number of elements on no curve")));
+  const fs::path free = put("free.geo",
+                            "Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {0, 1, 0};\n"
+                            "Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 1};\n"
+                            "Curve Loop(1) = {1:3}; Plane Surface(1) = {1};\n");
+  for (const std::string& remark : read_mesh_file(free, {.size = 0.3}).remarks)
+    EXPECT_THAT(remark, ::testing::Not(HasSubstr("on no curve")));
 }
 
 TEST_F(MeshFile, RefusesSizesThatMeanNothing) {
