@@ -225,16 +225,19 @@ SceneFile::SceneFile(const std::string& text, const std::string& name) : name_(n
         {entry.name, message_about(name, entry.line, entry.name), std::move(entry.value)});
 }
 
-/// body.2.KEY of body.NAME.KEY, where NAME is the `name` of the second [[body]].
-std::string SceneFile::numbered(const std::string& key) const {
+std::string SceneFile::numbered(const std::string& key, const std::string& origin) const {
   for (const GivenValue& given : values_) {
     if (!given.name.ends_with(".name")) continue;
     const auto* scalar = std::get_if<RawScalar>(&given.value.content);
     const auto* name = scalar ? std::get_if<std::string>(scalar) : nullptr;
     const std::string entry = given.name.substr(0, given.name.size() - 5);  // "body.2"
     if (!name || entry.find('.') == std::string::npos) continue;
-    const std::string named = entry.substr(0, entry.find('.') + 1) + toml_key(*name) + ".";
+    const std::string array = entry.substr(0, entry.find('.') + 1),
+                      named = array + toml_key(*name) + ".", bare = array + *name + ".";
     if (key.starts_with(named)) return entry + "." + key.substr(named.size());
+    if (key.starts_with(bare))
+      throw InputError(fmt::format("{}: expected quotes around the name, {}{}", origin, named,
+                                   key.substr(bare.size())));
   }
   return key;
 }
@@ -242,7 +245,7 @@ std::string SceneFile::numbered(const std::string& key) const {
 Scene SceneFile::scene(std::vector<GivenValue> overrides, const KeyTableOf& table_of,
                        Mistakes* mistakes) const {
   Mistakes own;
-  for (GivenValue& given : overrides) given.name = numbered(given.name);
+  for (GivenValue& given : overrides) given.name = numbered(given.name, given.origin);
   Scene scene =
       SceneLoader(name_, values_, std::move(overrides)).load(table_of, mistakes ? *mistakes : own);
   own.require_none();

@@ -33,9 +33,11 @@ public:
   Scene scene(std::vector<GivenValue> overrides, const KeyTableOf& table_of,
               Mistakes* mistakes = nullptr) const;
 
-private:
-  std::string numbered(const std::string& key) const;
+  /// body.2.KEY of body.NAME.KEY, where NAME is the `name` of the second [[body]]; any other key as
+  /// it is. Throws InputError, which begins with `origin`, where such a name needs quotes.
+  std::string numbered(const std::string& key, const std::string& origin) const;
 
+private:
   std::string name_;
   std::vector<GivenValue> values_;
 };

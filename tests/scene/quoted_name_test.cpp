@@ -12,6 +12,8 @@ namespace {
 std::vector<Key> table(const std::string&) {
   return {{.name = "problem", .kind = KeyKind::text},
           {.name = "law.\"*\".rate", .absent_meaning = "none"},
+          {.name = "body.#.name", .kind = KeyKind::text, .absent_meaning = "none"},
+          {.name = "body.#.modulus", .absent_meaning = "none"},
           {.name = "constants.*", .absent_meaning = "none"}};
 }
 
@@ -54,6 +56,14 @@ TEST(QuotedNames, AreAskedForWhereTheyAreMissing) {
             "--set law.a b.rate: expected quotes around the name, law.\"a b\".rate");
   EXPECT_EQ(refusal("", {"law.\"a b.rate=3"}),
             "--set law.\"a b.rate: expected a key of TOML before \"=\"");
+}
+
+TEST(QuotedNames, OfTablesAreAskedForToo) {
+  const std::string text = "[[body]]\nname = \"base plate\"\nmodulus = 1\n";
+  EXPECT_EQ(refusal(text, {"body.base plate.modulus=3"}),
+            "--set body.base plate.modulus: expected quotes around the name, body.\"base "
+            "plate\".modulus");
+  EXPECT_EQ(scene(text, {"body.\"base plate\".modulus=3"}).real("body.1.modulus"), 3);
 }
 
 TEST(QuotedNames, AreNoNamesOfConstants) {
