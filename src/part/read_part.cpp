@@ -125,8 +125,8 @@ void judge_gap(const Scene& scene, const Magnitudes& expected, AssemblyParts<dim
   constexpr double most_slope = 0.5, most_thinning = 0.06;
   const bool does = expected.slope <= most_slope && expected.thinning <= most_thinning;
   const std::string extent = fmt::format(
-      "the worn surface is expected to have a slope of about {:.2g}, and a depth of {:.2g} of the "
-      "body's size",
+      "the worn surface is expected to have a slope of about {:.2g}, and a depth of {:.2g} times "
+      "the body's size",
       expected.slope, expected.thinning);
   const bool small = has_small_strains(parts.bodies);
   if (parts.shape.gap && !does && scene.is_set("shape.motion"))  // a plan has measured it

@@ -145,10 +145,10 @@ std::vector<std::string> remarks_on_symmetry(const AssemblyParts<dim>& parts,
     if (part <= little) continue;
     const char axis = "xyz"[plane.axis];
     remarks.push_back(fmt::format(
-        "{} holds {} where the contact ends, at {} = {:.4g} mm, and a part of {:.2g} of the "
-        "partner's motion or force is along {}: right for a stop, but if it stands for a plane of "
+        "{} holds {} where the contact ends, at {} = {:.4g} mm, and {:.2g} % of the partner's "
+        "motion or force is along {}: right for a stop, but if it stands for a plane of "
         "symmetry, friction across it has no mirror image, and the whole body is needed",
-        plane.support, axis, axis, plane.place, part, axis));
+        plane.support, axis, axis, plane.place, 100 * part, axis));
   }
   return remarks;
 }

@@ -82,7 +82,7 @@ TEST(QuarterOfAPair, IsToldWhereFrictionActsAcrossThePlane) {
   };
   const auto of = [](const char* axis) {
     return Contains(HasSubstr(
-        std::string(" = 0 mm, and a part of 1 of the partner's motion or force is along ") + axis));
+        std::string(" = 0 mm, and 100 % of the partner's motion or force is along ") + axis));
   };
   EXPECT_THAT(remarks("0.1"), of("x"));
   EXPECT_THAT(remarks("0.1"), Not(of("y")));

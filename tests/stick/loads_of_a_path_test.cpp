@@ -148,7 +148,7 @@ TEST_F(LoadsOfAPath, ExpectedDepthsScaleWithTheBody) {
     return std::string("none");
   };
   const std::string depth = expected({"mesh.file=coarse.geo"});
-  EXPECT_THAT(depth, HasSubstr("of the body's size"));
+  EXPECT_THAT(depth, HasSubstr(" times the body's size"));
   EXPECT_EQ(depth, expected({"mesh.file=small.geo", "counter_body.radius=6e-3",
                              "counter_body.center=[0.0, 6e-3]", "counter_body.press.1.force=0.0185",
                              "counter_body.press.2.force=0.00666"}));
