@@ -226,6 +226,14 @@ std::vector<std::string> doubts(const Examination& start, const Examination& end
   return found;
 }
 
+std::string doubt_about_width(const Examination& start) {
+  if (start.few_nodes == 0 || start.pressed == 0) return {};
+  return fmt::format(
+      "contact at the start is {} node{}: pressures there mean little before it has grown; a finer "
+      "mesh near the contact helps",
+      start.few_nodes, start.few_nodes == 1 ? "" : "s");
+}
+
 void require_model(const Examination& facts) {
   if (facts.drag && facts.drag->drag >= facts.drag->stroke)
     throw InputError(fmt::format(

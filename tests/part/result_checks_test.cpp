@@ -55,6 +55,14 @@ TEST(Doubts, AContactOfFewNodesIsToldOfAtTheEnd) {
   EXPECT_THAT(doubts(balanced(), end), ElementsAre(HasSubstr("contact at the end is 1 node:")));
 }
 
+TEST(Doubts, AContactOfFewNodesUnderAnApproachIsToldOfAtTheStart) {
+  Examination start = balanced();
+  start.few_nodes = 1;
+  EXPECT_EQ(doubt_about_width(start), "");  // an estimate by the force has told it
+  start.pressed = 0.5;
+  EXPECT_THAT(doubt_about_width(start), HasSubstr("contact at the start is 1 node: pressures"));
+}
+
 class BodyTurns : public PartScenes {};
 
 // The springs below carry the force at a distance e from their middle: angle = P e / (k L^3 / 12).
