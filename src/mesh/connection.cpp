@@ -157,11 +157,11 @@ void check_hanging_nodes(const ImportedBody<dim>& body, const std::vector<int>& 
       if (!box.contains(X[*at]) || part[*at] != part[facet[0]]) continue;
       if (std::find(facet.begin(), facet.end(), *at) != facet.end()) continue;
       if (hangs<dim>(X[*at], facet, X, margin))
-        refuse_mesh(
-            body.file,
-            fmt::format("{} hangs: it lies at {} within the side of a cell, of which it is no "
+        throw UnconnectedCells(
+            fmt::format("{}: {} hangs: it lies at {} within the side of a cell, of which it is no "
                         "corner; expected cells that meet side to side (in Gmsh: Coherence, or "
                         "BooleanFragments, before meshing)",
+                        body.file,
                         body.node_tags[*at] == 0 ? std::string("a node")
                                                  : fmt::format("node {}", body.node_tags[*at]),
                         place_text({X[*at].data(), static_cast<std::size_t>(dim)})));
@@ -178,17 +178,16 @@ void check_parts(const ImportedBody<dim>& body, const std::vector<int>& part, st
     if (first[part[cell]] < 0) first[part[cell]] = cell;
     ++cells[part[cell]];
   }
-  refuse_mesh(
-      body.file,
-      fmt::format("the body consists of {} parts that share no side of a cell, for example {} with "
-                  "{} and {} with {}; expected {}",
-                  parts, counted(cells[0], "cell"), cell_text(body, first[0]),
-                  counted(cells[1], "cell"), cell_text(body, first[1]),
-                  most > 1 ? fmt::format("the {} of [[pair]]", most)
-                           : fmt::format("one part, or a [[body]] for each, with a `mesh` of its "
-                                         "own or as a Physical {} (in Gmsh: a .geo script, which "
-                                         "may Merge this file)",
-                                         dim == 2 ? "Surface" : "Volume")));
+  throw UnconnectedCells(fmt::format(
+      "{}: the body consists of {} parts that share no side of a cell, for example {} with "
+      "{} and {} with {}; expected {}",
+      body.file, parts, counted(cells[0], "cell"), cell_text(body, first[0]),
+      counted(cells[1], "cell"), cell_text(body, first[1]),
+      most > 1 ? fmt::format("the {} of [[pair]]", most)
+               : fmt::format("one part, or a [[body]] for each, with a `mesh` of its "
+                             "own or as a Physical {} (in Gmsh: a .geo script, which "
+                             "may Merge this file)",
+                             dim == 2 ? "Surface" : "Volume")));
 }
 
 /// Every node of a closed curve begins one of its edges.

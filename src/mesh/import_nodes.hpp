@@ -1,6 +1,7 @@
 // Checks and repairs of an imported mesh before it is one of gnomon's.
 #pragma once
 
+#include <gnomon/base/error.hpp>
 #include <gnomon/mesh/imported_mesh.hpp>
 
 #include "mesh/edge_bulges.hpp"
@@ -9,6 +10,12 @@ namespace gnomon {
 
 /// Throws InputError in the form "FILE: why".
 [[noreturn]] void refuse_mesh(const std::string& file, const std::string& why);
+
+/// Cells of a mesh do not meet side to side, of one body or of several.
+class UnconnectedCells : public InputError {
+public:
+  using InputError::InputError;
+};
 
 /// "1 node", "3 nodes".
 std::string counted(long count, const char* what);

@@ -13,6 +13,7 @@
 #include "model/expected_contact.hpp"
 #include "part/body_meshes.hpp"
 #include "part/histories.hpp"
+#include "part/pair_keys.hpp"
 
 namespace gnomon::part {
 
@@ -49,8 +50,7 @@ std::vector<FineZone::Ball> merged(const std::vector<FineZone::Ball>& balls, dou
 template <int dim>
 std::vector<FineZone::Ball> zone_in(const Scene& scene, const ImportedMesh& mesh) {
   constexpr long phases = 16;  // where the program chooses their number
-  const ImportedBody<dim> part =
-      check_mesh<dim>(mesh, scene.texts("wear.on"), 0, separate_bodies(scene));
+  const ImportedBody<dim> part = check_bodies<dim>(scene, mesh, 0);
   const AssemblyParts<dim> parts =
       read_part<dim>(chooses_phases(scene) ? with_phases(scene, phases) : scene, part);
   std::vector<FineZone::Ball> balls;

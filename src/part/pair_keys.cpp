@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "mesh/import_nodes.hpp"
 #include "part/body_motions.hpp"
 #include "part/histories.hpp"
 
@@ -125,6 +126,34 @@ void find_mistakes_of_pairs(const Scene& scene, Mistakes& mistakes) {
       });
   });
 }
+
+namespace {
+
+/// Throws where a pair is of one body twice, and another body is in no pair.
+void require_other_body(const Scene& scene, const std::string& what) {
+  const std::vector<std::string> paired = separate_bodies(scene), all = names_of_bodies(scene);
+  const auto alone = std::ranges::find_if(all, [&](const std::string& name) {
+    return std::ranges::find(paired, name) == paired.end();
+  });
+  if (alone == all.end()) return;
+  for (const std::string& pair : pair_tables(scene))
+    if (const auto& names = scene.texts(pair + ".bodies"); names[0] == names[1])
+      throw InputError(fmt::format("{}: expected two bodies, or \"{}\" bonded to \"{}\": {}",
+                                   scene.where(pair + ".bodies"), *alone, names[0], what));
+}
+
+}  // namespace
+
+template <int dim>
+ImportedBody<dim> check_bodies(const Scene& scene, ImportedMesh mesh, int splits) try {
+  return check_mesh<dim>(std::move(mesh), scene.texts("wear.on"), splits, separate_bodies(scene));
+} catch (const UnconnectedCells& error) {
+  require_other_body(scene, error.what());
+  throw;
+}
+
+template ImportedBody<2> check_bodies(const Scene&, ImportedMesh, int);
+template ImportedBody<3> check_bodies(const Scene&, ImportedMesh, int);
 
 }  // namespace gnomon::part
 

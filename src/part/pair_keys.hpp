@@ -2,11 +2,17 @@
 #pragma once
 
 #include <gnomon/base/mistakes.hpp>
+#include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <string>
 #include <vector>
 
 namespace gnomon::part {
+
+/// check_mesh() with what a scene says of the mesh. Throws InputError, also one that names the
+/// [[pair]] of one body where the mesh has another one that is in no pair.
+template <int dim>
+ImportedBody<dim> check_bodies(const Scene& scene, ImportedMesh mesh, int splits);
 
 /// Keys of `[[pair]]` and `[[motion]]`.
 std::vector<Key> pair_keys();

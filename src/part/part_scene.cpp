@@ -31,9 +31,8 @@ std::unique_ptr<Model> model_of(const Scene& scene, const ImportedBody<dim>& par
 
 template <int dim>
 std::unique_ptr<Model> model_of_file(const Scene& scene, ImportedMesh mesh) {
-  return model_of<dim>(scene, check_mesh<dim>(std::move(mesh), scene.texts("wear.on"),
-                                              static_cast<int>(scene.integer("mesh.split")),
-                                              separate_bodies(scene)));
+  return model_of<dim>(scene, check_bodies<dim>(scene, std::move(mesh),
+                                                static_cast<int>(scene.integer("mesh.split"))));
 }
 
 /// 2 or 3 by the numbers of the counter-body's vectors; 0 if it has none.
