@@ -6,6 +6,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
+#include "model/connected_parts.hpp"
 #include "model/first_loading.hpp"
 #include "model/wear_start.hpp"
 
@@ -113,6 +114,54 @@ bool PathMarch<dim>::come_near(const Phase<dim>& at, const NodalField<dim>& u, d
   return true;
 }
 
+/// What loads a side of a pair along the contact, where supports do not hold it [force].
+template <int dim>
+double pull_along(const Assembly<dim>& body, const Phase<dim>& phase, double t, int on_side) {
+  constexpr double rounding = 1e-9;
+  const std::vector<int> parts = connected_parts(body.mesh);
+  const Vector<dim>& across = body.pairs.front().approach;
+  NodalField<dim> forces = NodalField<dim>::Zero(Eigen::Index(parts.size()), dim);
+  for (const auto* loads : {&body.loads, &body.swinging_loads})
+    for (const Load<dim>& load : *loads)
+      forces += load.history.factor(t) * phase.load_factor(load.swing) * forces_of<dim>(load, body);
+  Vector<dim> sum = Vector<dim>::Zero(), held = Vector<dim>::Zero();
+  for (Eigen::Index node = 0; node < forces.rows(); ++node) {
+    if (parts[static_cast<std::size_t>(node)] != parts[static_cast<std::size_t>(on_side)]) continue;
+    sum += forces.row(node).transpose();
+    for (int i = 0; i < dim; ++i) held[i] += body.supports.held(node, i);
+  }
+  const Vector<dim> along = sum - across * across.dot(sum);
+  const bool is_held = ((along.array().abs() > rounding * sum.norm()) && held.array() > 0).any();
+  return is_held ? 0 : along.norm();
+}
+
+/// Says that loads of a pair are more than friction holds; empty: they are not, or that is not
+/// known.
+template <int dim>
+std::string excess_of_loads(const Assembly<dim>& body, const Phase<dim>& phase, double t) {
+  if (body.pairs.size() != 1 || body.interface.friction_factor.varies()) return {};
+  const MortarPair<dim>& pair = body.pairs.front();
+  const double force = std::max(pull_along(body, phase, t, pair.slave.front()[0]),
+                                pull_along(body, phase, t, pair.master.front()[0])),
+               holds = pair.friction * body.scales.force;
+  if (force <= holds) return {};
+  return fmt::format("loads of {:.4g} along the contact are more than friction holds, f P = {:.4g}",
+                     force, holds);
+}
+
+template <int dim>
+void PathMarch<dim>::refuse(const Phase<dim>& phase, const std::string& reason) const {
+  const std::string excess = excess_of_loads<dim>(*near_, phase, t_),
+                    what = fmt::format("no equilibrium on the path of the cycle, at tau = {:.4g}: ",
+                                       phase.position);
+  if (!excess.empty() && t_ == 0) throw InputError(what + excess);
+  if (!excess.empty()) throw SolutionError(what + excess);
+  throw SolutionError(
+      what + reason +
+      "; a tangential force that friction does not balance has none, and where friction only just "
+      "balances one it may not be found");
+}
+
 /// To the last of the phases on the way, of which values_ may have a guess.
 template <int dim>
 void PathMarch<dim>::advance(std::size_t to, const OnTheWay& on_the_way, bool is_expected) {
@@ -130,11 +179,7 @@ void PathMarch<dim>::advance(std::size_t to, const OnTheWay& on_the_way, bool is
   const bool far = is_far(alone, phase);
   if (!from(far ? Carried::by_shear : Carried::wholly) &&
       !from(far ? Carried::wholly : Carried::by_shear) && !by_halves(alone, on_the_way, reason))
-    throw SolutionError(
-        fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}; a "
-                    "tangential force that friction does not balance has none, and that of one "
-                    "which it only just balances may not be found: {}",
-                    phase.position, reason));
+    refuse(phase, reason);
   keep_near(std::move(alone), to);
 }
 

@@ -12,7 +12,7 @@
 namespace gnomon {
 
 /// One phase after the other, each alone, from a state that is known. Throws SolutionError where a
-/// phase has no equilibrium.
+/// phase has no equilibrium, at the start InputError where loads are more than friction holds.
 template <int dim>
 class PathMarch {
 public:
@@ -60,6 +60,7 @@ private:
   void guess(Alone& alone, const Phase<dim>& phase, Carried by) const;
   bool solve(Alone& alone, std::string& reason);
   bool by_halves(Alone& target, const OnTheWay& on_the_way, std::string& reason);
+  [[noreturn]] void refuse(const Phase<dim>& phase, const std::string& reason) const;
 
   static constexpr double early_ = 0.5;  // of the margin in which bodies of pairs may slide
   const WornBodyEquations<dim>& whole_;

@@ -263,8 +263,15 @@ TEST_F(PairFretting, ASwingingLoadIsWhatFrictionCarries) {
   const ContactSurface surface = model->contact(model->start(counters)).value();
   EXPECT_NEAR(std::abs(surface.phase_loop[2]), 1.8, 1e-6);  // at tau = 0.25
   EXPECT_NEAR(surface.phase_loop[2] + surface.phase_loop[4 + 4 + 2], 0, 1e-6);
-  EXPECT_THAT(failed_start(swinging_pad(), {"load.2.force=[3.1, 0.0]"}),
-              HasSubstr("friction does not balance"));
+  const auto beyond = this->model(swinging_pad(), {"load.2.force=[3.1, 0.0]"});
+  try {
+    beyond->start(counters);
+    FAIL() << "friction holds it";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("tau = 0.25: loads of 3.1 along the contact are more than friction "
+                          "holds, f P = 3"));
+  }
   expect_refused(swinging_pad(), {"friction.stick=false"}, "expected friction.stick = true");
 }
 

@@ -423,7 +423,7 @@ TEST_F(Fretting, PhasesAreChosenByTheirError) {
 TEST_F(Fretting, AForceThatFrictionDoesNotBalanceIsRefused) {
   const std::string reason = failed_start(cylinder(), {"counter_body.press.2.force=13.0"});
   EXPECT_THAT(reason, HasSubstr("friction does not balance"));
-  EXPECT_THAT(reason, HasSubstr("only just balances may not be found"));
+  EXPECT_THAT(reason, HasSubstr("only just balances one it may not be found"));
   EXPECT_THAT(reason, HasSubstr("tau = 0.25"));
 }
 
