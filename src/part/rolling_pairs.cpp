@@ -1,5 +1,6 @@
 // Pairs of bodies that roll by the velocities of both.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,47 @@ void read_forces(const Scene& scene, const RollingBody<dim>& body, const MortarP
   if (along < 0 || into < 0 || along == into)
     refuse(scene, sideways, "a velocity and a load along axes of the scene beside it");
   take(sideways, 3 - along - into, *across);
+}
+
+/// The key of the scene by which the material of a body passes the contact.
+template <int dim>
+std::string key_of_passing(const Scene& scene, const RollingBody<dim>& body) {
+  const std::string velocity = body.table + ".velocity";
+  return body.on_axle || !scene.given(velocity) ? body.table + ".rotation" : velocity;
+}
+
+/// Throws where the material of a body does not pass the contact.
+template <int dim>
+void require_passing(const Scene& scene, const RollingBody<dim>& body,
+                     const MortarPair<dim>& pair) {
+  const Vector<dim>& V = body.velocity;
+  if (body.table.empty())
+    throw InputError(fmt::format(
+        "{}: [[pair]]: expected also [cycle] beside stick, or a [[motion]] of both \"{}\" and "
+        "\"{}\", by whose velocities they roll on each other",
+        scene.path().string(), pair.bodies[0], pair.bodies[1]));
+  if (V.isZero(0))
+    refuse(scene, key_of_passing(scene, body),
+           "one other than zero where bodies roll, or [cycle] beside stick");
+  if (dim == 3 && (V - V.dot(pair.approach) * pair.approach).norm() < along_surface * V.norm())
+    refuse(scene, key_of_passing(scene, body),
+           fmt::format("a velocity along the contact where bodies roll, got one along its normal, "
+                       "({:.4g})",
+                       fmt::join(V, ", ")));
+}
+
+/// Throws where what a force moves does not go along with the other body.
+template <int dim>
+void require_common_way(const Scene& scene, const std::array<RollingBody<dim>, 2>& bodies,
+                        const MortarPair<dim>& pair) {
+  for (const std::size_t side : {0, 1})
+    if (pair.velocities[side].isZero(0))
+      refuse(scene, key_of_passing(scene, bodies[side]),
+             fmt::format("one by which \"{}\" passes the contact along the velocity of \"{}\", "
+                         "({:.4g}), got ({:.4g})",
+                         pair.bodies[side], pair.bodies[1 - side],
+                         fmt::join(bodies[1 - side].velocity, ", "),
+                         fmt::join(bodies[side].velocity, ", ")));
 }
 
 /// Throws where bodies in the plane, whose surfaces touch along a line, move to or from each other.
@@ -121,6 +163,7 @@ void read_velocities(const Scene& scene, AssemblyParts<dim>& parts, MortarPair<d
                                            parts.mesh.nodes[static_cast<std::size_t>(node)]);
       tell_left_out_spin<dim>(body, pair, side, node, parts);
     }
+    require_passing<dim>(scene, body, pair);
     pair.velocities[side] = body.velocity;
   }
   require_along_each_other(scene, bodies);
@@ -132,6 +175,7 @@ void read_velocities(const Scene& scene, AssemblyParts<dim>& parts, MortarPair<d
     for (int i = 0; i < dim; ++i)
       if (bodies[side].force[i != axis_along<dim>(bodies[side].velocity)])
         pair.velocities[side][i] = bodies[1 - side].velocity[i];
+  require_common_way<dim>(scene, bodies, pair);
 }
 
 /// About the normal of the contact, of one of the bodies: a rotation, or a moment on it.
@@ -179,12 +223,6 @@ template <int dim>
 void let_roll(const Scene& scene, AssemblyParts<dim>& parts) {
   for (MortarPair<dim>& pair : parts.pairs) {
     read_velocities(scene, parts, pair);
-    for (const Vector<dim>& V : pair.velocities)
-      if (!(V.norm() > 0))
-        throw InputError(fmt::format(
-            "{}: [[pair]]: expected also [cycle] beside stick, or a [[motion]] of both \"{}\" and "
-            "\"{}\", by whose velocities they roll on each other",
-            scene.path().string(), pair.bodies[0], pair.bodies[1]));
     if (!(pair.friction > 0))
       refuse(scene, "friction.coefficient", "a coefficient above zero where bodies roll");
   }

@@ -218,7 +218,8 @@ TEST_F(PairRolling, WhatDoesNotGoTogetherIsRefused) {
                  "either a rotation about");
   expect_refused(text, {"shape.constraint=multiplier"}, "where bodies roll");
   expect_refused(text, {"pair.1.friction=0"}, "a coefficient above zero where bodies roll");
-  expect_refused(text, {"motion.1.velocity=[0.0, 0.0]"}, "by whose velocities they roll");
+  expect_refused(text, {"motion.1.velocity=[0.0, 0.0]"},
+                 "motion.1.velocity: expected one other than zero where bodies roll");
   text.erase(text.find("[wear.surfaces.face]"));
   expect_refused(text, {}, "expected also wear.surfaces.face.path");
 }

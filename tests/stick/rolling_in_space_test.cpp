@@ -143,6 +143,22 @@ TEST_F(RollingScenes, ForcesThatFrictionDoesNotHoldTogetherAreTold) {
               HasSubstr("but 127.3 is more than friction holds, f P = 12"));
 }
 
+TEST_F(PairRolling, MaterialThatDoesNotPassTheContactIsNamed) {
+  const auto refused = [&](const Overrides& moves) {
+    Overrides overrides = drives_of_wheel("[20000.0, 0.0, 0.0]", {"motion.1.force=0"});
+    overrides.insert(overrides.end(), moves.begin(), moves.end());
+    return refusal(wheel(), overrides);
+  };
+  EXPECT_THAT(refused({"motion.2.velocity=[0.0, 0.0, 0.0]"}),
+              HasSubstr("motion.2.velocity: expected one other than zero where bodies roll"));
+  EXPECT_THAT(refused({"motion.2.velocity=[0.0, 0.0, 2e4]"}),
+              HasSubstr("motion.2.velocity: expected a velocity along the contact where bodies "
+                        "roll, got one along its normal, (0, 0, 2e+04)"));
+  EXPECT_THAT(refused({"motion.2.velocity=[0.0, 2e4, 0.0]"}),
+              HasSubstr("motion.1.velocity: expected one by which \"wheel\" passes the contact "
+                        "along the velocity of \"rail\", (0, 2e+04, 0), got (2e+04, 0, 0)"));
+}
+
 /// However little: differences upwind are along lines of nodes.
 TEST_F(PairRolling, AVelocityObliqueToTheLinesOfATreadIsRefused) {
   for (const std::string velocity : {"[20000.0, 20.0, 0.0]", "[20000.0, 4000.0, 0.0]"}) {
