@@ -90,6 +90,19 @@ Vector<dim> into_surface(const AssemblyParts<dim>& parts) {
   return other.approach;
 }
 
+/// By how much the pressures of inclined surfaces are more than what presses them, at most.
+template <int dim>
+double most_spread(const AssemblyParts<dim>& parts, const Vector<dim>& into) {
+  const auto patches =
+      parts.pairs.empty()
+          ? contact_nodes_of(parts)
+          : contact_patches<dim>(parts.mesh, parts.pairs.front().slave, {}, parts.section());
+  double least = 1;
+  for (const ContactPatch<dim>& patch : patches)
+    least = std::min(least, std::abs(patch.initial_normal.dot(into)) / patch.initial_normal.norm());
+  return 1 / least;
+}
+
 /// The forces between bodies over a run, as far as a scene tells them.
 template <int dim>
 class KnownForces {
@@ -98,7 +111,8 @@ public:
     if (parts.pairs.empty())
       into_ = into_surface(parts);
     else if (parts.interface.rolling)
-      presses_ = pressing_loads(parts);
+      into_ = parts.pairs.front().approach, presses_ = pressing_loads(parts);
+    if (dim == 3 && parts.interface.rolling) spread_ = most_spread(parts, into_);
   }
 
   bool are_known(const Phase<dim>& phase) const {
@@ -106,7 +120,7 @@ public:
   }
 
   /// Across the surface, and along it, on the straight lines of histories that are valid after
-  /// `within`.
+  /// `within`. Rolling in space: along the velocity, since inclined surfaces hold forces across it.
   std::pair<double, double> at(const Phase<dim>& phase, double t, double within) const {
     if (presses_) {
       double across = 0;
@@ -114,12 +128,14 @@ public:
         across += (*presses_)[k] * parts_.loads[k].history.factor(t, within);
       Vector<dim> along = Vector<dim>::Zero();
       for (int i = 0; i < dim; ++i) along[i] = parts_.interface.rolling->force[i].value_or(0);
-      return {across, along.norm()};
+      return {across, size_along(along)};
     }
     const Vector<dim> sum = pressing_force(phase, parts_.interface.history, t, within);
-    const Vector<dim> along = sum - sum.dot(into_) * into_;
-    return {sum.dot(into_), along.norm()};
+    return {sum.dot(into_), size_along(sum - sum.dot(into_) * into_)};
   }
+
+  /// Of rolling in space: most_spread().
+  double spread() const { return spread_; }
 
   /// The coefficient; a factor is one of time alone.
   double friction(double t, double within) const {
@@ -146,8 +162,14 @@ public:
   }
 
 private:
+  double size_along(const Vector<dim>& force) const {
+    if (dim == 2 || !parts_.interface.rolling) return force.norm();
+    return std::abs(force.dot(parts_.interface.rolling->velocity.normalized()));
+  }
+
   const AssemblyParts<dim>& parts_;
-  Vector<dim> into_ = Vector<dim>::Zero();  // of a counter-body
+  Vector<dim> into_ = Vector<dim>::Zero();
+  double spread_ = 1;
   std::optional<std::vector<double>> presses_;
 };
 
@@ -158,7 +180,7 @@ std::optional<double> first_excess(const KnownForces<dim>& forces, const Phase<d
   constexpr int halvings = 30;
   const auto is_more = [&](double t) {
     const auto [across, along] = forces.at(phase, t, from);
-    return along > 0 && along > forces.friction(t, from) * across;
+    return along > 0 && along > forces.friction(t, from) * forces.spread() * across;
   };
   if (is_more(from)) return from;
   if (!is_more(to)) return {};
@@ -239,7 +261,7 @@ std::optional<double> used_friction(const AssemblyParts<dim>& parts) {
 template <int dim>
 void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& parts) {
   const bool may_end_before = scene.given("time.until") && !scene.text("time.until").empty();
-  if (dim == 3 || may_end_before) return;
+  if (may_end_before) return;
   if (!friction_is_of_time(scene)) return;
   if (const auto first = excess_of_friction(parts, scene.real("time.end")))
     refuse(scene, key_of_friction(scene),

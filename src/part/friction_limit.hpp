@@ -19,8 +19,7 @@ template <int dim>
 std::optional<double> used_friction(const AssemblyParts<dim>& parts);
 
 /// Throws InputError where such forces, of pairs those beside loads on a body that nothing else
-/// holds, are more than friction carries in steady rolling in the plane, as far as a scene tells.
-/// In space, surfaces that are inclined hold forces across the velocity.
+/// holds, are more than friction carries in steady rolling, as far as a scene tells.
 template <int dim>
 void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& parts);
 

@@ -182,7 +182,6 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
     parts.scales = magnitudes.scales;
   }
   if (parts.interface.rolling) {
-    require_balanced_rolling(scene, parts);
     if (!slips_as_given(parts) && !scene.given("wear.velocity")) require_no_distance(scene);
     if (!parts.pairs.empty() && parts.pairs.front().slides > 0) {  // the speed is that of the first
       const double first = parts.pairs.front().slides;
@@ -202,6 +201,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
     join_reachable_boundary(magnitudes, parts);
   else
     restrict_pairs(scene, part, magnitudes, parts);
+  if (parts.interface.rolling) require_balanced_rolling(scene, parts);
   const std::optional<CyclicMotion<dim>> cycle =
       parts.cycle ? std::optional(parts.cycle->motion) : std::nullopt;
   if (cycle && !parts.interface.sticks) require_gross_sliding(scene, *cycle, parts);

@@ -159,6 +159,23 @@ TEST_F(PairRolling, MaterialThatDoesNotPassTheContactIsNamed) {
                         "along the velocity of \"rail\", (0, 2e+04, 0), got (2e+04, 0, 0)"));
 }
 
+/// Along the velocity; across it inclined surfaces hold forces.
+TEST_F(PairRolling, AForceInSpaceBeyondFrictionIsRefused) {
+  const auto refused = [&](const std::string& force) {
+    return refusal(wheel(), drives_of_wheel("[20000.0, 0.0, 0.0]", {force}));
+  };
+  EXPECT_THAT(
+      refused("motion.1.force=-40000"),
+      HasSubstr("key `pair.1.friction`: expected a larger coefficient: from t = 0 s on the force "
+                "along the surface, 4e+04, is more than friction holds, f P = 6000"));
+  EXPECT_EQ(refused("motion.1.force=-5000"), "");
+}
+
+TEST_F(RollingScenes, AForceInSpaceBeyondFrictionIsRefused) {
+  expect_refused(ball("", 0, drives(130, 0, 0)), {},
+                 "the force along the surface, 130, is more than friction holds, f P = 120");
+}
+
 /// However little: differences upwind are along lines of nodes.
 TEST_F(PairRolling, AVelocityObliqueToTheLinesOfATreadIsRefused) {
   for (const std::string velocity : {"[20000.0, 20.0, 0.0]", "[20000.0, 4000.0, 0.0]"}) {
