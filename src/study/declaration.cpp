@@ -10,6 +10,7 @@
 
 #include "scene/key_check.hpp"
 #include "scene/raw_value.hpp"
+#include "scene/scene_file.hpp"
 #include "scene/toml_reader.hpp"
 #include "scene/toml_text.hpp"
 #include "scene/unknown_key.hpp"
@@ -95,7 +96,11 @@ private:
     if (std::error_code ignored; !fs::is_regular_file(declaration_.scene, ignored))
       throw InputError(fmt::format("{}: expected a scene file, there is no {}", top.where("scene"),
                                    toml_text(declaration_.scene.string())));
-    scene_ = load_scene(declaration_.scene, {}, key_table);
+    const SceneFile file(declaration_.scene);
+    scene_ = file.scene({}, key_table);
+    scene_keys_.numbered = [file](const std::string& key, const std::string& origin) {
+      return file.numbered(key, origin);
+    };
     scene_keys_.keys = key_table(scene_.text("problem"));
     if (top.has("reference") &&
         std::ranges::find(document_.tables, "method", &RawTable::name) == document_.tables.end())
@@ -131,8 +136,8 @@ private:
     const KeyedTable keyed(declaration_.file, table.line, table.entries,
                            {.prefix = "sweep.", .keys = sweep_keys(), .open_key = "values"});
     Sweep sweep;
-    sweep.key = keyed.text("key");
     sweep.origin = keyed.where("key");
+    sweep.key = scene_keys_.numbered(keyed.text("key"), sweep.origin);
     for (const Sweep& earlier : declaration_.sweeps)
       if (earlier.key == sweep.key)
         throw InputError(

@@ -4,6 +4,7 @@
 
 #include <gnomon/base/error.hpp>
 #include <gnomon/scene/keys.hpp>
+#include <span>
 
 #include "scene/key_check.hpp"
 #include "scene/unknown_key.hpp"
@@ -110,8 +111,9 @@ void require_settable(const std::string& key, const std::string& origin, MethodF
     throw InputError(fmt::format("{}: expected another key, `{}` is given by {}", origin, key, by));
 }
 
-SceneSetting scene_setting(const std::string& name, const RawValue& raw, const std::string& origin,
+SceneSetting scene_setting(const std::string& given, const RawValue& raw, const std::string& origin,
                            const SceneKeys& scene_keys) {
+  const std::string name = scene_keys.numbered(given, origin);
   const auto key = find_key(scene_keys.keys, name);
   if (!key) {
     require_not_of_the_top(name, origin);
@@ -145,6 +147,10 @@ void KeyedTable::read(const RawEntry& entry, const TableSpec& spec) {
   if (spec.scene_keys && entry.name == "set" && is_table(entry.value)) return;  // empty
   if (spec.scene_keys && entry.name.starts_with("set.")) {
     settings_.push_back(scene_setting(entry.name.substr(4), entry.value, origin, *spec.scene_keys));
+    for (const SceneSetting& earlier : std::span(settings_).first(settings_.size() - 1))
+      if (earlier.key == settings_.back().key)
+        throw InputError(
+            fmt::format("{}: is `{}`, given twice, expected once", origin, earlier.key));
     return;
   }
   if (const auto key = find_key(spec.keys, entry.name)) {

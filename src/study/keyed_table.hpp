@@ -1,6 +1,7 @@
 // One table of a study file, checked against its keys as scenes are against theirs.
 #pragma once
 
+#include <functional>
 #include <gnomon/scene/scene.hpp>
 #include <gnomon/study/study.hpp>
 #include <map>
@@ -32,6 +33,8 @@ struct SceneKeys {
   std::vector<Key> keys;
   Impossible impossible = Impossible::refused;  ///< values of these
   MethodFrom method = MethodFrom::method;       ///< scene: a sweep by the scene's integrator
+  /// SceneFile::numbered() of the scene.
+  std::function<std::string(const std::string& key, const std::string& origin)> numbered{};
 };
 
 /// Refuses keys that a study gives itself; `origin` begins the message. Throws InputError.

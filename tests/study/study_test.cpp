@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/model/problem.hpp>
 #include <gnomon/results/results.hpp>
 #include <gnomon/results/surface_difference.hpp>
@@ -205,6 +206,19 @@ TEST_F(StudyRuns, AParameterSweepNeedsNoMethodAndNoReference) {
   }
   EXPECT_EQ(json()["compared"], false);
   EXPECT_FALSE(json()["sweep"][0].contains("reference"));
+}
+
+TEST_F(StudyRuns, BodiesAreSetByTheirNames) {
+  if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+  write("study.toml",
+        "scene = \"" GNOMON_SOURCE_DIR
+        "/problems/worn_body/cylinder_on_plate.toml\"\n"
+        "reference = \"none\"\n[set]\nmesh.factor = 4.0\nbody.plate.young_modulus = 5e4\n"
+        "[[sweep]]\nkey = \"body.cylinder.young_modulus\"\nvalues = [1e5]\n");
+  const Study study = load_study(folder() / "study.toml");
+  const Scene scene = parse_scene(study.runs.front().scene, "run.toml", {}, key_table);
+  EXPECT_EQ(scene.real("body.1.young_modulus"), 1e5);
+  EXPECT_EQ(scene.real("body.2.young_modulus"), 5e4);
 }
 
 // Runs that end at a depth have their lives in a column; errors are those of one time.
