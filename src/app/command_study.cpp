@@ -17,6 +17,7 @@
 #include "app/text_table.hpp"
 #include "mesh/shared_meshes.hpp"
 #include "study/run_files.hpp"
+#include "study/run_warnings.hpp"
 #include "study/table.hpp"
 
 namespace gnomon::app {
@@ -156,6 +157,7 @@ StudyTable write_study(const Study& study, const std::filesystem::path& folder, 
   if (!quiet) {
     study.compared ? print_errors(study, table) : print_observed(study, table);
     if (study.compared) print_advice(study, table);
+    fmt::print("{}", study::warnings_text(study::warnings_of(study, table)));
     fmt::print("{}results: {} ({}study.csv, study.json, study.h5, runs)\n", page.complaint,
                folder.string(), page.listed());
   }

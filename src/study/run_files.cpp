@@ -43,6 +43,7 @@ void read_summary(RunRecord& record, const Json& summary) {
   record.status = summary.value("status", "");
   record.complete = record.status == "finished" || record.status == "failed";
   record.reason = summary.value("diagnosis", "");
+  record.warnings = summary.value("warnings", std::vector<std::string>{});
   record.counters = counters_of(summary);
   record.wall_seconds = summary.value("wall_seconds", 0.0);
   if (const auto t = summary.find("t"); t != summary.end() && t->is_number())

@@ -13,6 +13,7 @@
 #include "results/hdf5_values.hpp"
 #include "results/layout.hpp"
 #include "results/replaced_file.hpp"
+#include "study/run_warnings.hpp"
 #include "study/table.hpp"
 #include "study/text_file.hpp"
 
@@ -86,6 +87,13 @@ Json sweep_json(const SweepPoint& point) {
   return json;
 }
 
+Json warnings_json(const RunWarnings& warnings) {
+  Json json = {{"runs", warnings.runs}, {"each", Json::array()}};
+  for (const RunWarning& each : warnings.each)
+    json["each"].push_back({{"runs", each.runs}, {"run", each.run}, {"text", each.text}});
+  return json;
+}
+
 /// The columns of a row whose errors its reference cannot resolve.
 Json marked_of(const StudyRow& row) {
   Json marked = Json::array();
@@ -112,6 +120,7 @@ std::string study_json(const Study& study, const StudyTable& table) {
                {"sweep", Json::array()},
                {"columns", columns_json(results)},
                {"rows", Json::array()},
+               {"warnings", warnings_json(warnings_of(study, table))},
                {"text", study.text}};
   for (std::size_t i = 0; i < study.sweep.size(); ++i) {
     const SweepPoint& point = study.sweep[i];
@@ -122,6 +131,7 @@ std::string study_json(const Study& study, const StudyTable& table) {
   for (std::size_t i = 0; i < table.rows.size(); ++i)
     json["rows"].push_back({{"sweep", table.rows[i].point.sweep},
                             {"marked", marked_of(table.rows[i])},
+                            {"warnings", table.rows[i].warnings},
                             {"values", values_json(results, i)}});
   if (study.compared) add_advice(json, study, table);
   return json_text(json);

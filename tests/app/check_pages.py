@@ -140,6 +140,12 @@ def check_special_values(folder):
     assert reader.texts["h1"] == ["bell  and  <script>"]
     assert "1 missing" in reader.texts["p"][0] and "svg" not in reader.tags
 
+    def warned(data):
+        data["warnings"] = {"runs": 3, "each": [{"runs": 2, "run": "a<b>", "text": "few & <wide>"}]}
+    reader = rendered("study", folder, warned)
+    assert "Warnings" in reader.texts["h2"] and "Of 3 runs; " in " ".join(reader.texts["p"])
+    assert ["2", "runs/a<b>.json", "few & <wide>"] in [texts_of(row) for row in reader.rows()]
+
     def closed(data):
         for point in data["sweep"]:
             point["reference"] = {"text": "closed form", "closed_form": True, "error": 0,

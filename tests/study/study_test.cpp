@@ -14,6 +14,7 @@
 
 #include "results/hdf5_values.hpp"
 #include "study/declaration.hpp"
+#include "study/run_warnings.hpp"
 #include "study/study_fixture.hpp"
 
 namespace gnomon::study_test {
@@ -206,6 +207,38 @@ TEST_F(StudyRuns, AParameterSweepNeedsNoMethodAndNoReference) {
   }
   EXPECT_EQ(json()["compared"], false);
   EXPECT_FALSE(json()["sweep"][0].contains("reference"));
+}
+
+TEST(StudyWarnings, AreToldOnceForEachKind) {
+  Study study;
+  StudyTable table;
+  for (const char* text : {"depth 1.5e-4, of 0.02", "", "depth 3, of 4", "two elements wide"}) {
+    StudyRow row;
+    row.point.run = study.runs.size();
+    if (*text) row.warnings = {text};
+    study.runs.push_back(
+        {.name = "run-" + std::to_string(study.runs.size()), .title = "", .scene = ""});
+    table.rows.push_back(row);
+  }
+  table.rows.push_back(table.rows.front());  // of the same run
+  EXPECT_EQ(study::warnings_text(study::warnings_of(study, table)),
+            "warnings of 3 runs:\n"
+            "  2 runs (as runs/run-0.json): depth 1.5e-4, of 0.02\n"
+            "  1 run (as runs/run-3.json): two elements wide\n");
+  EXPECT_EQ(study::warnings_text({}), "");
+}
+
+/// Steps that are too long for the stiffer body let pressures alternate.
+TEST_F(StudyRuns, WarningsOfRunsAreKept) {
+  write("study.toml", "reference = \"none\"\n" + head() + "integrator.unstable = \"accept\"\n" +
+                          "[[sweep]]\nkey = \"body.young_modulus\"\nvalues = [20, 640]\n" +
+                          method("forward-euler", "steps = [50]"));
+  const Outcome outcome = study();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\nwarnings of 1 run:\n  1 run (as runs/young_modulus_640__"));
+  EXPECT_EQ(json()["warnings"]["runs"], 1);
+  EXPECT_EQ(json()["warnings"]["each"][0]["text"], json()["rows"][1]["warnings"][0]);
+  EXPECT_THAT(json()["rows"][0]["warnings"], SizeIs(0));
 }
 
 TEST_F(StudyRuns, BodiesAreSetByTheirNames) {

@@ -162,9 +162,10 @@ bool holds_study(const std::filesystem::path& folder);
 
 /// How a run ended.
 struct RunRecord {
-  bool complete = false;  ///< it ended by itself and wrote its summary
-  std::string status{};   ///< "finished", "failed", "missing"
-  std::string reason{};   ///< of a failure
+  bool complete = false;                ///< it ended by itself and wrote its summary
+  std::string status{};                 ///< "finished", "failed", "missing"
+  std::string reason{};                 ///< of a failure
+  std::vector<std::string> warnings{};  ///< of the run
   std::optional<Counters> counters{};
   std::optional<double> wall_seconds{};  ///< of the run itself
   std::optional<double> reached{};       ///< time of the last good state, finished or not

@@ -33,6 +33,8 @@ def view(data):
         "by": common_method(rows),
         "tables": error_tables(data, shown) if data["compared"] else [sweep_table(data, shown)],
         "marked": any(row["marked"] for row in rows),
+        "warned": of(data["warnings"]["runs"], "run"),
+        "warnings": warnings(data["warnings"]["each"]),
         "columns": [heading(column) for column in shown.results + shown.costs],
     }
 
@@ -164,6 +166,14 @@ def recommended(data):
                       Cell(number(row["values"]["cpu_seconds"], ".2f"))]
         rows.append(Row(cells))
     return Table(headings, rows)
+
+
+def warnings(each):
+    """One row for each; nothing without any."""
+    headings = [Heading(name, numeric=name == "runs") for name in ("runs", "as", "warning")]
+    rows = [Row([Cell(str(one["runs"])), text(f"runs/{one['run']}.json", parts=True),
+                 text(one["text"], wide=True)]) for one in each]
+    return Table(headings, rows) if rows else None
 
 
 def times(sweep):
