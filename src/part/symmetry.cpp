@@ -145,7 +145,7 @@ std::vector<std::string> remarks_on_symmetry(const AssemblyParts<dim>& parts,
     if (part <= little) continue;
     const char axis = "xyz"[plane.axis];
     remarks.push_back(fmt::format(
-        "{} holds {} where the contact ends, at {} = {:.4g} mm, and {:.2g} % of the partner's "
+        "{} holds {} where the contact ends, at {} = {:.4g} mm, and {:.3g} % of the partner's "
         "motion or force is along {}: right for a stop, but if it stands for a plane of "
         "symmetry, friction across it has no mirror image, and the whole body is needed",
         plane.support, axis, axis, plane.place, 100 * part, axis));
