@@ -245,17 +245,39 @@ std::string remark_on_friction(const Scene& scene, const AssemblyParts<dim>& par
 }
 
 template <int dim>
-std::optional<double> used_friction(const AssemblyParts<dim>& parts) {
+std::optional<double> used_friction(const AssemblyParts<dim>& parts, double duration) {
   const KnownForces<dim> forces(parts);
+  const std::set<double> times = forces.times(duration);
   double most = 0;
   for (const Phase<dim>& phase : parts.phases) {
     if (!forces.are_known(phase)) return {};
-    const auto [across, along] = forces.at(phase, 0, 0);
-    const double held = forces.friction(0, 0) * across;
-    if (held > 0) most = std::max(most, std::min(along / held, 1.0));
+    for (const double t : times) {
+      const auto [across, along] = forces.at(phase, t, t);
+      const double held = forces.friction(t, t) * across;
+      if (held > 0) most = std::max(most, std::min(along / held, 1.0));
+    }
   }
   if (most == 0) return {};
   return most;
+}
+
+template <int dim>
+void require_pressing(const Scene& scene, const AssemblyParts<dim>& parts) {
+  constexpr double least = 1e-6;
+  const std::vector<Guide<dim>>& guides = parts.interface.partner.guides;
+  if (guides.size() < 2 || !parts.interface.force) return;
+  const auto patches = contact_nodes_of(parts);
+  for (const Phase<dim>& phase : parts.phases) {
+    const Vector<dim> force = pressing_force(phase, parts.interface.history, 0, 0);
+    double presses = 0;
+    for (const ContactPatch<dim>& patch : patches)
+      presses = std::max(presses, -patch.initial_normal.normalized().dot(force));
+    if (!(presses >= least * std::abs(*parts.interface.force)))
+      throw InputError(fmt::format(
+          "{}: expected forces that press the counter-body on the surface in every phase, got none "
+          "at tau = {:g}: without them its place is not determined",
+          scene.where(guides.front().key + ".cycle"), phase.position));
+  }
 }
 
 template <int dim>
@@ -272,8 +294,10 @@ void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& part
 
 template std::string remark_on_friction(const Scene&, const AssemblyParts<2>&);
 template std::string remark_on_friction(const Scene&, const AssemblyParts<3>&);
-template std::optional<double> used_friction(const AssemblyParts<2>&);
-template std::optional<double> used_friction(const AssemblyParts<3>&);
+template std::optional<double> used_friction(const AssemblyParts<2>&, double);
+template std::optional<double> used_friction(const AssemblyParts<3>&, double);
+template void require_pressing(const Scene&, const AssemblyParts<2>&);
+template void require_pressing(const Scene&, const AssemblyParts<3>&);
 template void require_balanced_rolling(const Scene&, const AssemblyParts<2>&);
 template void require_balanced_rolling(const Scene&, const AssemblyParts<3>&);
 

@@ -63,16 +63,8 @@ template <int dim>
 void require_forces(const Scene& scene, const std::vector<Phase<dim>>& phases,
                     const std::string& press, std::optional<double> largest) {
   constexpr double least = 1e-6;
-  const auto presses = [](const Phase<dim>& phase) {
-    if (phase.counter_body.guides.size() < 2) return phase.force.value_or(0);
-    Vector<dim> sum = Vector<dim>::Zero();  // as of a load that goes round
-    const std::vector<std::optional<double>> forces = phase.forces();
-    for (std::size_t i = 0; i < forces.size(); ++i)
-      sum += forces[i].value_or(0) * phase.counter_body.guides[i].along;
-    return sum.norm();
-  };
   for (const Phase<dim>& phase : phases)
-    if (largest && !(presses(phase) >= least * *largest))
+    if (largest && !(phase.force.value_or(0) >= least * *largest))
       throw InputError(fmt::format(
           "{}: expected a force above zero (1e-6 of the largest or more) in every phase, got {:g} "
           "at tau = {:g}: without a force the place of the counter-body is not determined",

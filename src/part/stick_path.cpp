@@ -152,7 +152,8 @@ ReadPhases<dim> read_path(const Scene& scene, const CyclicMotion<dim>& motion,
   ReadPhases<dim> result{{motion, read_cycle_quadrature(scene, extremes)}, {}, {}};
   result.phases = path_phases(points_of(scene, extremes), motion, rest, force);
   require_short_turns(scene, result.phases);
-  require_forces(scene, result.phases, rest.guides.empty() ? "" : rest.guides.front().key, force);
+  if (rest.guides.size() < 2)  // else require_pressing()
+    require_forces(scene, result.phases, rest.guides.empty() ? "" : rest.guides.front().key, force);
   const auto asked = static_cast<double>(result.phases.size());
   if (scene.reals("cycle.phases").size() == 1 && asked > 2 * scene.reals("cycle.phases")[0])
     result.remarks.push_back(
@@ -208,8 +209,9 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
   const double given = *parts.interface.speed;
   if (stroke > 2 * shear) return given;
   constexpr double not_known = 0.85;
-  const double used = stroke > 0 ? 1 - std::pow(1 - std::min(1.0, stroke / (2 * shear)), 1.5)
-                                 : used_friction(parts).value_or(not_known),
+  const double used = stroke > 0
+                          ? 1 - std::pow(1 - std::min(1.0, stroke / (2 * shear)), 1.5)
+                          : used_friction(parts, expected.scales.duration).value_or(not_known),
                most = 4 * mean_slip(used) * shear / period,
                speed = given > 0 ? std::min(given, most) : most;
   if (given == 0) return speed;       // what wears is not known yet
@@ -257,6 +259,7 @@ void require_path(const Scene& scene, const AssemblyParts<dim>& parts) {
     refuse(scene, "friction.coefficient",
            "a coefficient above zero beside friction.stick, and a friction above zero of every "
            "[[pair]]");
+  require_pressing(scene, parts);
 }
 
 template ReadPhases<2> read_path(const Scene&, const CyclicMotion<2>&, const CounterBody<2>&,
