@@ -9,7 +9,7 @@
 #include <gnomon/newton/algebraic_solver.hpp>
 #include <limits>
 
-#include "model/path_march.hpp"
+#include "model/halved_path.hpp"
 #include "model/wear_start.hpp"
 
 namespace gnomon {
@@ -196,79 +196,6 @@ std::vector<double> mean_rate(const std::vector<PhaseContact<dim>>& phases) {
   return mean;
 }
 
-/// Phases of a path, each in two halves: the known ones, and before each the mean with the last.
-template <int dim>
-void guess_halves(const WornBodyEquations<dim>& equations, const FieldValues<dim>& known,
-                  const WornBodyEquations<dim>& finer, FieldValues<dim>& guess) {
-  const std::size_t count = equations.phases().size();
-  for (std::size_t p = 0; p < count; ++p) {
-    const WornBodyFields &last = equations.fields((p + count - 1) % count),
-                         &own = equations.fields(p);
-    for (const double part : {0.5, 1.0}) {
-      const WornBodyFields& to = finer.fields(2 * p + (part == 1));
-      for (std::size_t k = 0; k < to.of_phase().size(); ++k) {
-        const FieldId a = last.of_phase()[k], b = own.of_phase()[k], between = to.of_phase()[k];
-        if (between == FieldId::none) continue;
-        guess.vector(between) = (1 - part) * known.vector(a) + part * known.vector(b);
-        guess.matrix(between) = (1 - part) * known.matrix(a) + part * known.matrix(b);
-      }
-    }
-  }
-}
-
-/// The phases of a path, each in two halves.
-template <int dim>
-std::vector<Phase<dim>> halved(const Assembly<dim>& assembly) {
-  std::vector<CyclePoint> ends;
-  for (const Phase<dim>& phase : assembly.phases)
-    for (const double back : {0.5, 0.0})
-      ends.push_back({phase.position - back * phase.interval, phase.interval / 2});
-  return path_phases(ends, assembly.cycle->motion, assembly.interface.partner,
-                     assembly.interface.force);
-}
-
-/// The longest way that a contact node slips in a cycle.
-template <int dim>
-double longest_slip(const std::vector<PhaseContact<dim>>& phases) {
-  double longest = 0;
-  for (std::size_t c = 0; c < phases.front().nodes.size(); ++c) {
-    double way = 0;
-    for (const PhaseContact<dim>& phase : phases) way += phase.nodes[c].slip.norm();
-    longest = std::max(longest, way);
-  }
-  return longest;
-}
-
-/// The mean wear rates of the next cycle of a path, with each phase in two halves; of the one after
-/// it where this one does not end as it began.
-template <int dim>
-std::vector<double> mean_rate_of_halves(const WornBodyEquations<dim>& equations,
-                                        const FieldValues<dim>& values, double t) {
-  const WornBodyEquations<dim> finer(equations.shared_assembly(), halved(equations.assembly()));
-  FieldValues<dim> guess(*finer.composition()->fields);
-  guess.vector(finer.fields().d) = values.vector(equations.fields().d);
-  guess_halves(equations, values, finer, guess);
-  Counters counters;
-  PathMarch<dim> march(finer, guess, t, counters, rough_newton);
-  march.go_on_from(guess, values.vector(equations.fields().memory));
-  const ComposedSystem<dim> system(finer.composition());
-  const auto contacts_of = [&](const FieldValues<dim>& cycle) {
-    std::vector<double> y(static_cast<std::size_t>(system.structure().size));
-    system.numbering().gather(cycle, y);
-    std::vector<PhaseContact<dim>> contacts;
-    for (std::size_t p = 0; p < finer.phases().size(); ++p)
-      contacts.push_back(
-          {finer.phases()[p].weight, finer.contact_nodes(system, cycle, {.t = t, .y = y}, p)});
-    return contacts;
-  };
-  constexpr double closed = 1e-3;
-  const NodalField<dim> begin = march.place();
-  std::vector<PhaseContact<dim>> contacts = contacts_of(march.cycle());
-  const double open = (march.place() - begin).rowwise().norm().maxCoeff();
-  if (open > closed * longest_slip(contacts)) contacts = contacts_of(march.cycle());
-  return mean_rate(contacts);
-}
-
 }  // namespace
 
 template <int dim>
@@ -283,8 +210,8 @@ std::optional<PhaseError> WearModel<dim>::phase_error(const State& state) const 
   const std::vector<double> areas = areas_of<dim>(contacts.front());
   RateDifference rates;
   if (body.interface.sticks) {
-    rates =
-        compare_rates(areas, mean_rate(contacts), mean_rate_of_halves(equations_, values, state.t));
+    rates = compare_rates(areas, mean_rate(contacts),
+                          mean_rate(contacts_of_halves(equations_, values, state.t, rough_newton)));
   } else {
     FixedShape<dim> shape(state.t, equations_, values, contacts);
     const std::vector<double> mean = shape.mean_rate(body.phases);
