@@ -6,8 +6,8 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
-#include "model/connected_parts.hpp"
 #include "model/first_loading.hpp"
+#include "model/loads_beyond_friction.hpp"
 #include "model/wear_start.hpp"
 
 namespace gnomon {
@@ -114,44 +114,9 @@ bool PathMarch<dim>::come_near(const Phase<dim>& at, const NodalField<dim>& u, d
   return true;
 }
 
-/// What loads a side of a pair along the contact, where supports do not hold it [force].
-template <int dim>
-double pull_along(const Assembly<dim>& body, const Phase<dim>& phase, double t, int on_side) {
-  constexpr double rounding = 1e-9;
-  const std::vector<int> parts = connected_parts(body.mesh);
-  const Vector<dim>& across = body.pairs.front().approach;
-  NodalField<dim> forces = NodalField<dim>::Zero(Eigen::Index(parts.size()), dim);
-  for (const auto* loads : {&body.loads, &body.swinging_loads})
-    for (const Load<dim>& load : *loads)
-      forces += load.history.factor(t) * phase.load_factor(load.swing) * forces_of<dim>(load, body);
-  Vector<dim> sum = Vector<dim>::Zero(), held = Vector<dim>::Zero();
-  for (Eigen::Index node = 0; node < forces.rows(); ++node) {
-    if (parts[static_cast<std::size_t>(node)] != parts[static_cast<std::size_t>(on_side)]) continue;
-    sum += forces.row(node).transpose();
-    for (int i = 0; i < dim; ++i) held[i] += body.supports.held(node, i);
-  }
-  const Vector<dim> along = sum - across * across.dot(sum);
-  const bool is_held = ((along.array().abs() > rounding * sum.norm()) && held.array() > 0).any();
-  return is_held ? 0 : along.norm();
-}
-
-/// Says that loads of a pair are more than friction holds; empty: they are not, or that is not
-/// known.
-template <int dim>
-std::string excess_of_loads(const Assembly<dim>& body, const Phase<dim>& phase, double t) {
-  if (body.pairs.size() != 1 || body.interface.friction_factor.varies()) return {};
-  const MortarPair<dim>& pair = body.pairs.front();
-  const double force = std::max(pull_along(body, phase, t, pair.slave.front()[0]),
-                                pull_along(body, phase, t, pair.master.front()[0])),
-               holds = pair.friction * body.scales.force;
-  if (force <= holds) return {};
-  return fmt::format("loads of {:.4g} along the contact are more than friction holds, f P = {:.4g}",
-                     force, holds);
-}
-
 template <int dim>
 void PathMarch<dim>::refuse(const Phase<dim>& phase, const std::string& reason) const {
-  const std::string excess = excess_of_loads<dim>(*near_, phase, t_),
+  const std::string excess = loads_beyond_friction<dim>(*near_, phase, t_),
                     what = fmt::format("no equilibrium on the path of the cycle, at tau = {:.4g}: ",
                                        phase.position);
   if (!excess.empty() && t_ == 0) throw InputError(what + excess);
