@@ -90,7 +90,7 @@ Vector<dim> into_surface(const AssemblyParts<dim>& parts) {
   return other.approach;
 }
 
-/// By how much the pressures of inclined surfaces are more than what presses them, at most.
+/// The pressures of inclined surfaces by what presses them, at most.
 template <int dim>
 double most_spread(const AssemblyParts<dim>& parts, const Vector<dim>& into) {
   const auto patches =
@@ -108,10 +108,12 @@ template <int dim>
 class KnownForces {
 public:
   explicit KnownForces(const AssemblyParts<dim>& parts) : parts_(parts) {
-    if (parts.pairs.empty())
+    if (parts.pairs.empty()) {
       into_ = into_surface(parts);
-    else if (parts.interface.rolling)
-      into_ = parts.pairs.front().approach, presses_ = pressing_loads(parts);
+    } else if (parts.interface.rolling) {
+      into_ = parts.pairs.front().approach;
+      presses_ = pressing_loads(parts);
+    }
     if (dim == 3 && parts.interface.rolling) spread_ = most_spread(parts, into_);
   }
 
@@ -245,9 +247,10 @@ std::string remark_on_friction(const Scene& scene, const AssemblyParts<dim>& par
 }
 
 template <int dim>
-std::optional<double> used_friction(const AssemblyParts<dim>& parts, double duration) {
+std::optional<double> used_friction(const Scene& scene, const AssemblyParts<dim>& parts) {
+  if (!friction_is_of_time(scene)) return {};
   const KnownForces<dim> forces(parts);
-  const std::set<double> times = forces.times(duration);
+  const std::set<double> times = forces.times(scene.real("time.end"));
   double most = 0;
   for (const Phase<dim>& phase : parts.phases) {
     if (!forces.are_known(phase)) return {};
@@ -294,8 +297,8 @@ void require_balanced_rolling(const Scene& scene, const AssemblyParts<dim>& part
 
 template std::string remark_on_friction(const Scene&, const AssemblyParts<2>&);
 template std::string remark_on_friction(const Scene&, const AssemblyParts<3>&);
-template std::optional<double> used_friction(const AssemblyParts<2>&, double);
-template std::optional<double> used_friction(const AssemblyParts<3>&, double);
+template std::optional<double> used_friction(const Scene&, const AssemblyParts<2>&);
+template std::optional<double> used_friction(const Scene&, const AssemblyParts<3>&);
 template void require_pressing(const Scene&, const AssemblyParts<2>&);
 template void require_pressing(const Scene&, const AssemblyParts<3>&);
 template void require_balanced_rolling(const Scene&, const AssemblyParts<2>&);

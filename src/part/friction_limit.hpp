@@ -16,7 +16,7 @@ std::string remark_on_friction(const Scene& scene, const AssemblyParts<dim>& par
 /// The largest part of what friction holds that forces on a counter-body use in a run; nothing
 /// where they are not known.
 template <int dim>
-std::optional<double> used_friction(const AssemblyParts<dim>& parts, double duration);
+std::optional<double> used_friction(const Scene& scene, const AssemblyParts<dim>& parts);
 
 /// Throws InputError where forces along several guides press a counter-body on no part of the
 /// surface in a phase of a cycle. They may go round in a bore.

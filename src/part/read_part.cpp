@@ -8,6 +8,7 @@
 #include <gnomon/model/magnitudes.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/part/part_scene.hpp>
+#include <gnomon/shapes/counter_surface.hpp>
 
 #include "model/bring_together.hpp"
 #include "model/rigid_balance.hpp"
@@ -172,7 +173,7 @@ AssemblyParts<dim> read_part(const Scene& scene, const ImportedBody<dim>& part) 
       parts.proposals.push_back(std::move(history));
     AssemblyParts<dim> slow = parts;
     for (int k = 0; k < 2; ++k) {  // the second time with what the first speed wears
-      slow.interface.speed = speed_on_path(slow, magnitudes);
+      slow.interface.speed = speed_on_path(scene, slow, magnitudes);
       magnitudes = find_magnitudes(scene, slow);
     }
     if (*parts.interface.speed == 0) {

@@ -196,7 +196,8 @@ double mean_slip(double q) {
 }  // namespace
 
 template <int dim>
-double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected) {
+double speed_on_path(const Scene& scene, const AssemblyParts<dim>& parts,
+                     const Magnitudes& expected) {
   const double shear = parts.interface.friction * expected.scales.displacement,
                period = parts.cycle->motion.cycle.period;
   double stroke = 0;
@@ -209,15 +210,14 @@ double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected
   const double given = *parts.interface.speed;
   if (stroke > 2 * shear) return given;
   constexpr double not_known = 0.85;
-  const double used = stroke > 0
-                          ? 1 - std::pow(1 - std::min(1.0, stroke / (2 * shear)), 1.5)
-                          : used_friction(parts, expected.scales.duration).value_or(not_known),
+  const double used = stroke > 0 ? 1 - std::pow(1 - std::min(1.0, stroke / (2 * shear)), 1.5)
+                                 : used_friction(scene, parts).value_or(not_known),
                most = 4 * mean_slip(used) * shear / period,
-               speed = given > 0 ? std::min(given, most) : most;
-  if (given == 0) return speed;       // what wears is not known yet
-  constexpr double rounding = 1e-10;  // of displacements, whose slip is no wear to follow
-  const double by_displacement = expected.scales.displacement / expected.scales.wear_depth * given;
-  return std::clamp(speed, rounding * by_displacement, by_displacement);
+               least = 1e-7 * expected.scales.displacement / period,  // less is rounding
+      speed = std::max(least, given > 0 ? std::min(given, most) : most);
+  if (given == 0) return speed;  // what wears is not known yet
+  const double deepest = expected.scales.wear_depth * speed / given;
+  return speed * std::min(1.0, expected.scales.displacement / deepest);
 }
 
 namespace {
@@ -270,8 +270,8 @@ template AssemblyParts<2> with_chosen_path(const Scene&,
                                            const std::function<AssemblyParts<2>(long)>&);
 template AssemblyParts<3> with_chosen_path(const Scene&,
                                            const std::function<AssemblyParts<3>(long)>&);
-template double speed_on_path(const AssemblyParts<2>&, const Magnitudes&);
-template double speed_on_path(const AssemblyParts<3>&, const Magnitudes&);
+template double speed_on_path(const Scene&, const AssemblyParts<2>&, const Magnitudes&);
+template double speed_on_path(const Scene&, const AssemblyParts<3>&, const Magnitudes&);
 template void require_path(const Scene&, const AssemblyParts<2>&);
 template void require_path(const Scene&, const AssemblyParts<3>&);
 

@@ -24,7 +24,8 @@ AssemblyParts<dim> with_chosen_path(const Scene& scene,
 /// contact, that of the shear, and so that what wears is no deeper than they are pressed in
 /// [length / time]. `parts` have the speed of the motion; `expected`: with it.
 template <int dim>
-double speed_on_path(const AssemblyParts<dim>& parts, const Magnitudes& expected);
+double speed_on_path(const Scene& scene, const AssemblyParts<dim>& parts,
+                     const Magnitudes& expected);
 
 /// Whether the memory of slip is an algebraic unknown, as explicit methods need it.
 bool memory_follows(const Scene& scene);
