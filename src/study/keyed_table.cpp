@@ -150,7 +150,7 @@ void KeyedTable::read(const RawEntry& entry, const TableSpec& spec) {
     for (const SceneSetting& earlier : std::span(settings_).first(settings_.size() - 1))
       if (earlier.key == settings_.back().key)
         throw InputError(
-            fmt::format("{}: is `{}`, given twice, expected once", origin, earlier.key));
+            fmt::format("{}: `{}` is given twice, expected once", origin, earlier.key));
     return;
   }
   if (const auto key = find_key(spec.keys, entry.name)) {

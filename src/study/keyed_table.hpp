@@ -34,7 +34,8 @@ struct SceneKeys {
   Impossible impossible = Impossible::refused;  ///< values of these
   MethodFrom method = MethodFrom::method;       ///< scene: a sweep by the scene's integrator
   /// SceneFile::numbered() of the scene.
-  std::function<std::string(const std::string& key, const std::string& origin)> numbered{};
+  std::function<std::string(const std::string& key, const std::string& origin)> numbered =
+      [](const std::string& key, const std::string&) { return key; };
 };
 
 /// Refuses keys that a study gives itself; `origin` begins the message. Throws InputError.
