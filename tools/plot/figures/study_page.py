@@ -20,6 +20,7 @@ def view(data):
     closed = [point["reference"]["closed_form"] for point in data["sweep"] if data["compared"]]
     failed = [row for row in rows if row["values"]["status"] == "failed"]
     missing = [row for row in rows if row["values"]["status"] == "missing"]
+    told = data.get("warnings", {"runs": 0, "each": []})  # earlier studies have none
     return {
         "title": data["title"] or data["study"],
         "study": data,
@@ -33,8 +34,8 @@ def view(data):
         "by": common_method(rows),
         "tables": error_tables(data, shown) if data["compared"] else [sweep_table(data, shown)],
         "marked": any(row["marked"] for row in rows),
-        "warned": of(data["warnings"]["runs"], "run"),
-        "warnings": warnings(data["warnings"]["each"]),
+        "warned": of(told["runs"], "run"),
+        "warnings": warnings(told["each"]),
         "columns": [heading(column) for column in shown.results + shown.costs],
     }
 
