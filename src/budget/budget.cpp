@@ -53,7 +53,7 @@ private:
     require_refined_contact(coarse.goals, run_.goals);
     const std::vector<double> before = coarser_differences(key, coarse, part);
     std::vector<double> changes = mesh_differences(coarse.goals, run_.goals);
-    forget_nothing(coarse.goals, budget_.values, changes, part.doubt);
+    forget_without_value(coarse.goals, budget_.values, changes, part.doubt);
     extrapolate(part, budget_.values, changes, before);
     coarse_ = std::move(coarse);
     coarse_is_ = change_text(run_.scene, twice);

@@ -111,7 +111,7 @@ void Companions::compare(BudgetPart& part, const Trial& base, const Key& key) {
                            : 2;
   const double scale = fewer ? 1 / (times * times - 1) : finer.part_of_coarser;
   for (double& error : part.errors) error = std::abs(error) * scale;
-  forget_nothing(base.goals, budget_.values, part.errors, part.doubt);
+  forget_without_value(base.goals, budget_.values, part.errors, part.doubt);
 }
 
 void respect_ledger(Budget& budget, double ledger) {

@@ -131,8 +131,8 @@ Extrapolated extrapolated_at_edge(double fine, double coarse) {
   return with_order(fine, coarse, std::max(observed, lowest));
 }
 
-void forget_nothing(const Goals& companion, const std::vector<Scalar>& values,
-                    std::vector<double>& differences, std::string& doubt) {
+void forget_without_value(const Goals& companion, const std::vector<Scalar>& values,
+                          std::vector<double>& differences, std::string& doubt) {
   constexpr double nothing = 1e-3;  // of the value of the run
   std::vector<std::string> absent;
   for (std::size_t i = 0; i < values.size(); ++i) {

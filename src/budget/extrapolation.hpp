@@ -65,8 +65,8 @@ void extrapolate(BudgetPart& part, const std::vector<Scalar>& values,
 
 /// Where a companion on larger elements has nothing of a value of the run, as where all of a coarse
 /// contact sticks: differences to it say nothing. Makes these not_known, and `doubt` says so.
-void forget_nothing(const Goals& companion, const std::vector<Scalar>& values,
-                    std::vector<double>& differences, std::string& doubt);
+void forget_without_value(const Goals& companion, const std::vector<Scalar>& values,
+                          std::vector<double>& differences, std::string& doubt);
 
 /// Errors from meshes too coarse to tell them may be far too large. An error of order one or more
 /// is at most the difference of the run to elements `times` as large, divided by times - 1: more

@@ -81,7 +81,7 @@ private:
     require_refined_contact(coarse_->goals, fine.goals);
     const std::vector<double> before = coarser_differences(key, 2 * factor);
     std::vector<double> changes = mesh_differences(coarse_->goals, fine.goals);
-    forget_nothing(coarse_->goals, budget_.values, changes, part.doubt);
+    forget_without_value(coarse_->goals, budget_.values, changes, part.doubt);
     extrapolate(part, budget_.values, changes, before, factor / 2);
     respect_run(mesh_differences(fine.goals, goals_), mesh_differences(coarse_->goals, goals_),
                 factor / 2, part.errors);

@@ -126,9 +126,8 @@ std::vector<std::string> doubts(const Examination& facts) {
                           *facts.slip_zone, *facts.slip_zone == 1 ? "" : "s"));
   if (!facts.rubs && facts.touches && facts.slip_area == 0)
     found.push_back(
-        "friction changes over the cycle by less than a thousandth of what it can hold, and no "
-        "contact node slips: nothing wears; expected a longer motion or a larger force along the "
-        "contact (cycle.x, cycle of a load)");
+        "no contact node slips over the cycle, and nothing wears by v or q: expected a longer "
+        "motion or a larger force along the contact (cycle.x, cycle of a load)");
   if (facts.turn > turned)
     found.push_back(fmt::format(
         "its moment turns the counter-body by {:.2g} rad, and slip is of first order in "
@@ -217,7 +216,9 @@ std::vector<std::string> doubts(const Examination& start, const Examination& end
                     "and mean little; it needs a finer one there",
                     end.few_nodes, end.few_nodes == 1 ? "" : "s"));
   // What begins to slip adds to what wears.
-  if (start.stick_area - end.stick_area > little * std::min(start.stick_area, start.slip_area))
+  const double least =
+      start.slip_area > 0 ? std::min(start.stick_area, start.slip_area) : start.stick_area;
+  if (start.stick_area - end.stick_area > little * least)
     found.push_back(fmt::format(
         "the contact that always sticks has shrunk from {:.3g} to {:.3g} [mm, in space mm^2]: its "
         "edge moves by a node where elements concentrate tractions, as well as where bodies would "
@@ -226,7 +227,7 @@ std::vector<std::string> doubts(const Examination& start, const Examination& end
   return found;
 }
 
-std::string doubt_about_width(const Examination& start) {
+std::string doubt_about_few_nodes(const Examination& start) {
   if (start.few_nodes == 0 || start.pressed == 0) return {};
   return fmt::format(
       "contact at the start is {} node{}: pressures there mean little before it has grown; a finer "

@@ -15,7 +15,7 @@ namespace {
 constexpr double whole_turn = 2 * std::numbers::pi;
 constexpr double end = 1 - 1e-12;  // of a cycle, where it has not yet begun again
 
-/// Spread over the cycle as no function of a shorter period is.
+/// Spread over the cycle so that no shorter period hides from them.
 std::array<double, 100> sampled_positions() {
   std::array<double, 100> positions{};
   for (std::size_t k = 0; k < positions.size(); ++k)

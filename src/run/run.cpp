@@ -103,7 +103,8 @@ private:
     outcome_.examination = examined();
     require_model(outcome_.examination);
     for (const std::string& text : doubts(outcome_.examination)) warn("at the start " + text);
-    if (const std::string text = doubt_about_width(outcome_.examination); !text.empty()) warn(text);
+    if (const std::string text = doubt_about_few_nodes(outcome_.examination); !text.empty())
+      warn(text);
     if (hooks_.interrupted()) return;
     estimate_phase_error();
     steps_.begin();

@@ -61,7 +61,7 @@ TEST(Extrapolation, KnowsNothingFromACompanionWithoutTheValue) {
       {"worn_volume", "mm^2", 3e-15}, {"wear_depth", "mm", 0}, {"max_pressure", "MPa", 120}};
   std::vector<double> changes = {-1e10, not_known, 0.1};
   BudgetPart part{.source = ErrorSource::mesh, .key = "mesh.factor", .how = {}, .errors = {}};
-  forget_nothing(coarse, values, changes, part.doubt);
+  forget_without_value(coarse, values, changes, part.doubt);
   extrapolate(part, values, changes, {0.5, 0.5, 0.2});
   EXPECT_TRUE(std::isnan(part.errors[0]));
   EXPECT_TRUE(std::isnan(part.errors[1]));

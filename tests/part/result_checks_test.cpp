@@ -58,9 +58,9 @@ TEST(Doubts, AContactOfFewNodesIsToldOfAtTheEnd) {
 TEST(Doubts, AContactOfFewNodesUnderAnApproachIsToldOfAtTheStart) {
   Examination start = balanced();
   start.few_nodes = 1;
-  EXPECT_EQ(doubt_about_width(start), "");  // an estimate by the force has told it
+  EXPECT_EQ(doubt_about_few_nodes(start), "");  // an estimate by the force has told it
   start.pressed = 0.5;
-  EXPECT_THAT(doubt_about_width(start), HasSubstr("contact at the start is 1 node: pressures"));
+  EXPECT_THAT(doubt_about_few_nodes(start), HasSubstr("contact at the start is 1 node: pressures"));
 }
 
 class BodyTurns : public PartScenes {};

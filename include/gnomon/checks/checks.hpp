@@ -16,9 +16,9 @@ std::vector<std::string> doubts(const Examination& facts);
 /// Why the end of a run may be wrong that had these facts at its start.
 std::vector<std::string> doubts(const Examination& start, const Examination& end);
 
-/// Of contact at the start that nothing could tell before: how far a given approach presses bodies
-/// into each other, or bends them. Empty: none.
-std::string doubt_about_width(const Examination& start);
+/// That few nodes touch at the start, where a given approach presses bodies that may bend, so that
+/// nothing could tell it before. Empty: they are more.
+std::string doubt_about_few_nodes(const Examination& start);
 
 /// Why elements make bodies stiffer than they are.
 std::vector<std::string> doubts(const std::vector<Body>& bodies);
