@@ -492,8 +492,8 @@ TEST_F(Fretting, WhatHardlyMovesTakesNoStepsAndIsTold) {
   EXPECT_THAT(doubts(model->examine(model->start(counters))),
               Contains(HasSubstr("expected a longer motion or a larger force")));
   const ModelRun run = run_model(*model, "esdirk-3", 0, 1e-3, 1);
-  EXPECT_LT(run.states.size(), 6);
-  EXPECT_EQ(observed(*model, run.last(), "worn_volume"), 0);
+  EXPECT_LT(run.states.size(), 20);
+  EXPECT_LT(observed(*model, run.last(), "worn_volume"), 1e-15);
 }
 
 /// A load that goes round presses a shaft on one place of a bore after the other: the way is that
@@ -566,7 +566,8 @@ TEST_F(Fretting, WhatDoesNotGoTogetherIsRefused) {
   steady.replace(steady.find("time.cycles = 1e6"), 17, "time.end = 1.0");
   expect_refused(steady, {}, "expected also [cycle]");
   expect_refused(cylinder(), {"counter_body.press.1.cycle=\"sin(\""}, "counter_body.press");
-  expect_refused(cylinder(), {"counter_body.press.1.cycle=\"sin(2*pi*tau)\""}, "above zero");
+  expect_refused(cylinder(), {"counter_body.press.1.cycle=\"sin(2*pi*tau)\""},
+                 "expected forces that press");
   expect_refused(cylinder(), {"friction.stick=false"}, "expected friction.stick = true");
   expect_refused(cylinder(), {"wear.rate=\"k*p*v*exp(-s)\""}, "expected no sliding distance s");
   expect_refused(cylinder(), {"friction.factor=\"1+s\""},
