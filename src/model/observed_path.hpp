@@ -14,7 +14,7 @@ struct CycleOfSlip {
   double work = 0;  ///< of friction, at the mean pressure of neighbouring phases [force length]
   double path = 0;  ///< the longest of a node [length]
   double stick_area = 0;  ///< of nodes that touch and slip by less than 1e-3 of it [length^(dim-1)]
-  double slip_area = 0;       ///< of the others that touch, in some phase
+  double slip_area = 0;   ///< of the others that touch, in some phase
   std::vector<Hold> holds{};  ///< by contact node
 };
 template <int dim>
