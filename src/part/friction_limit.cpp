@@ -271,7 +271,10 @@ void require_pressing(const Scene& scene, const AssemblyParts<dim>& parts) {
   if (guides.size() < 2 || !parts.interface.force) return;
   const auto patches = contact_nodes_of(parts);
   for (const Phase<dim>& phase : parts.phases) {
-    const Vector<dim> force = pressing_force(phase, parts.interface.history, 0, 0);
+    const std::vector<std::optional<double>> forces = phase.forces();  // at factor one
+    Vector<dim> force = Vector<dim>::Zero();
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      force += forces[i].value_or(0) * guides[i].along;
     double presses = 0;
     for (const ContactPatch<dim>& patch : patches)
       presses = std::max(presses, -patch.initial_normal.normalized().dot(force));
