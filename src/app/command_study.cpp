@@ -39,18 +39,14 @@ StudyProgress run_all(const Study& study, const StudyOptions& options,
       hooks);
 }
 
-std::string count_text(std::size_t count) {
-  return count == 1 ? "1 run" : fmt::format("{} runs", count);
-}
-
 /// Throws Error that names the missing runs, if there are any.
 void require_complete(const Study& study, const fs::path& folder) {
   const std::vector<std::size_t> missing = missing_runs(study, folder);
   if (missing.empty()) return;
   const std::string numbers = study::numbers_of(missing);
   throw Error(fmt::format("{} of {} missing; gnomon study run {} {} does {}",
-                          count_text(missing.size()), study.runs.size(), folder.string(), numbers,
-                          missing.size() == 1 ? "it" : "them"));
+                          study::count_of_runs(missing.size()), study.runs.size(), folder.string(),
+                          numbers, missing.size() == 1 ? "it" : "them"));
 }
 
 std::string error_text(const std::optional<double>& error, bool marked) {
@@ -203,7 +199,7 @@ void study_plan_command(const StudyCommandOptions& given) {
     fmt::print(
         "{}: {}, listed in plan.csv; gnomon study run {} NUMBERS does them, gnomon study "
         "collect {} makes the tables\n",
-        folder.string(), count_text(study.runs.size()), folder.string(), folder.string());
+        folder.string(), study::count_of_runs(study.runs.size()), folder.string(), folder.string());
 }
 
 void study_run_command(const StudyCommandOptions& given) {
@@ -215,13 +211,14 @@ void study_run_command(const StudyCommandOptions& given) {
   const StudyProgress progress =
       run_planned(study, runs, options, StudyProgressBar(given.quiet).hooks());
   if (progress.others > 0 && !given.quiet)
-    fmt::print("{} left to other processes that are doing them\n", count_text(progress.others));
+    fmt::print("{} left to other processes that are doing them\n",
+               study::count_of_runs(progress.others));
   if (progress.done + progress.others < progress.total)
     throw Error(fmt::format("interrupted with {} of {} runs done; the same command continues",
                             progress.done, progress.total));
   if (progress.failed > 0 && !given.quiet)
     fmt::print("{} failed, for a reason that gnomon study collect tells\n",
-               count_text(progress.failed));
+               study::count_of_runs(progress.failed));
 }
 
 void study_collect_command(const StudyCommandOptions& given) {

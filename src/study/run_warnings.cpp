@@ -15,11 +15,11 @@ std::string without_numbers(const std::string& text) {
   return std::regex_replace(text, number, "#");
 }
 
+}  // namespace
+
 std::string count_of_runs(std::size_t count) {
   return count == 1 ? "1 run" : fmt::format("{} runs", count);
 }
-
-}  // namespace
 
 RunWarnings warnings_of(const Study& study, const StudyTable& table) {
   RunWarnings found;

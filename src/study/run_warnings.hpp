@@ -19,6 +19,9 @@ struct RunWarnings {
   std::size_t runs = 0;  ///< with warnings
 };
 
+/// "1 run", "3 runs".
+std::string count_of_runs(std::size_t count);
+
 /// Of the runs of a table.
 RunWarnings warnings_of(const Study& study, const StudyTable& table);
 
