@@ -15,13 +15,16 @@ namespace gnomon {
 namespace {
 
 /// The loads on the body of a node, where no support and no more than soft springs hold it [force].
+/// `parts`: connected_parts().
 template <int dim>
 std::optional<Vector<dim>> load_on(const Assembly<dim>& body, const Phase<dim>& phase, double t,
-                                   int on_side) {
-  const std::vector<int> parts = connected_parts(body.mesh);
+                                   const std::vector<int>& parts, int on_side) {
   const auto is_own = [&](int node) {
     return parts[static_cast<std::size_t>(node)] == parts[static_cast<std::size_t>(on_side)];
   };
+  for (int node = 0; node < static_cast<int>(parts.size()); ++node)
+    for (int i = 0; i < dim; ++i)
+      if (is_own(node) && body.supports.held(node, i)) return {};
   constexpr double little = 1e-3;  // of the load: springs that only keep a body in its place
   const double size = std::pow(Box<dim>::around(body.mesh.nodes).diagonal(), dim - 1);
   for (const SpringSupport<dim>& springs : body.supports.springs) {
@@ -37,9 +40,6 @@ std::optional<Vector<dim>> load_on(const Assembly<dim>& body, const Phase<dim>& 
       for (int node = 0; node < forces.rows(); ++node)
         if (is_own(node)) sum += factor * forces.row(node).transpose();
     }
-  for (int node = 0; node < static_cast<int>(parts.size()); ++node)
-    for (int i = 0; i < dim; ++i)
-      if (is_own(node) && body.supports.held(node, i)) return {};
   return sum;
 }
 
@@ -54,8 +54,9 @@ std::string loads_beyond_friction(const Assembly<dim>& body, const Phase<dim>& p
     if (body.carries[c])
       least = std::min(
           least, std::abs(body.contact_nodes[c].initial_normal.normalized().dot(pair.approach)));
+  const std::vector<int> parts = connected_parts(body.mesh);
   for (const int node : {pair.slave.front()[0], pair.master.front()[0]}) {
-    const std::optional<Vector<dim>> load = load_on(body, phase, t, node);
+    const std::optional<Vector<dim>> load = load_on(body, phase, t, parts, node);
     if (!load) continue;
     const double across = load->dot(pair.approach), along = (*load - across * pair.approach).norm(),
                  holds = pair.friction * std::abs(across);
