@@ -1,6 +1,7 @@
 // The sparsity pattern of a square matrix, compressed by columns.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace gnomon {
@@ -21,13 +22,15 @@ struct SparsePattern {
 /// Collects cliques (rows x columns) and makes the pattern of their union with the diagonal.
 class PatternBuilder {
 public:
-  explicit PatternBuilder(int size) : columns_(static_cast<std::size_t>(size)) {}
+  explicit PatternBuilder(int size) : size_(size) {}
   /// Adds rows x columns; negative numbers (fixed values) are skipped.
   void add(const std::vector<int>& rows, const std::vector<int>& columns);
-  SparsePattern build();
+  SparsePattern build() const;
 
 private:
-  std::vector<std::vector<int>> columns_;
+  int size_;
+  std::vector<int> numbers_;         // of the cliques, one after the other: rows, then columns
+  std::vector<std::size_t> starts_;  // in numbers_: of the rows and of the columns of each clique
 };
 
 }  // namespace gnomon
