@@ -62,6 +62,13 @@ double CycleFunction::gap(double turn) const {
   return turn > 0 ? std::remainder(jump, turn) : jump;
 }
 
+double CycleFunction::range() const {
+  double most = 0;
+  for (const double tau : sampled_positions())
+    most = std::max(most, std::abs(value(tau) - value(0)));
+  return most;
+}
+
 std::vector<double> Cycle::kinks() const {
   std::vector<double> all;
   for (const auto* function :
@@ -79,11 +86,8 @@ std::vector<std::string> Cycle::remarks() const {
   const auto look_at = [&](const std::string& name, const std::optional<CycleFunction>& function,
                            double turn, const std::string& unit) {
     if (!function) return;
-    double most = 0;
-    for (const double tau : sampled_positions())
-      most = std::max(most, std::abs(function->value(tau) - function->value(0)));
     const double gap = function->gap(turn);
-    if (std::abs(gap) > rounding * most)
+    if (std::abs(gap) > rounding * function->range())
       found.push_back(fmt::format(
           "cycle.{} ends {:.3g} {} from where it begins: the next cycle begins there again, and "
           "nothing slides on this way",

@@ -66,20 +66,16 @@ std::vector<double> extremes_of(const std::vector<const CycleFunction*>& functio
 /// What jumps is one increment of the path, however many phases there are.
 std::string remark_on_jumps(const std::vector<const CycleFunction*>& functions) {
   constexpr double aside = 1e-9, little = 1e-3;
-  constexpr int samples = 64;
-  for (const CycleFunction* function : functions) {
-    double range = 0;
-    for (int k = 0; k < samples; ++k)
-      range = std::max(range, std::abs(function->value((k + 0.5) / samples) - function->value(0)));
+  for (const CycleFunction* function : functions)
     for (const double tau : function->kinks())
-      if (std::abs(function->value(tau + aside) -
-                   function->value(tau > aside ? tau - aside : 1 - aside)) > little * range)
+      if (const double before = tau > aside ? tau - aside : 1 - aside;
+          std::abs(function->value(tau + aside) - function->value(before)) >
+          little * function->range())
         return fmt::format(
             "the cycle jumps at tau = {:.4g}, which slip follows in one increment, however many "
             "phases there are: where the bodies are unlike, some 10 % too much friction work; a "
             "ramp has more increments",
             tau);
-  }
   return {};
 }
 

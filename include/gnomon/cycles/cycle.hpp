@@ -27,6 +27,8 @@ public:
   std::vector<double> kinks(double turn = 0) const;
   /// By how much it ends above where it begins, save for whole turns of an angle (0: it is none).
   double gap(double turn = 0) const;
+  /// By how much it differs from its begin at most, at sampled positions.
+  double range() const;
 
 private:
   Expression expression_;
