@@ -118,14 +118,14 @@ ImportedMesh read(const std::string& file, double size, double factor, const std
   copy_model(mesh, geometry);
   constexpr double rounding = 1e-9;  // of factors that a plan has multiplied
   const bool is_scaled = std::abs(factor - 1) > rounding;
-  const auto is_idle = [&](const std::string& what) {
+  const auto say_idle = [&](const std::string& what) {
     mesh.remarks.push_back(what +
                            " changes the number of elements on no curve: the script gives these "
                            "numbers (Transfinite)");
   };
-  if (file.ends_with(".geo") && size > 0 && !curves_follow_sizes()) is_idle("its size");
+  if (file.ends_with(".geo") && size > 0 && !curves_follow_sizes()) say_idle("its size");
   if (file.ends_with(".geo") && mesh.has_sizes && is_scaled && !changes_curves(file))
-    is_idle("its factor");
+    say_idle("its factor");
   return mesh;
 }
 
