@@ -83,9 +83,9 @@ std::vector<std::string> doubts(const Examination& facts) {
         facts.body_turn->angle, facts.body_turn->angle * facts.body_turn->angle / 2));
   if (facts.stale_weight > stale)
     found.push_back(
-        fmt::format("the weight of what has worn off is {:.2g} of the contact force, and still "
+        fmt::format("the weight of what has worn off is {:.3g} % of the contact force, and still "
                     "acts: an acceleration has the mass of the unworn bodies",
-                    facts.stale_weight));
+                    100 * facts.stale_weight));
   if (!facts.touched_end.empty())
     found.push_back(fmt::format(
         "contact reaches an end of the mesh of \"{}\", which is a piece of its track: "
@@ -110,10 +110,10 @@ std::vector<std::string> doubts(const Examination& facts) {
         facts.drag->drag, facts.drag->stroke, 100 * facts.drag->drag / facts.drag->stroke));
   if (facts.without_friction > blind)
     found.push_back(
-        fmt::format("{:.2g} of the contact force is on nodes without friction, because the mesh "
+        fmt::format("{:.3g} % of the contact force is on nodes without friction, because the mesh "
                     "does not say from where their material comes: wear.on should begin upstream "
                     "of the contact, and have all of it",
-                    facts.without_friction));
+                    100 * facts.without_friction));
   if (facts.slip_zone && *facts.slip_zone <= narrow)
     found.push_back(
         *facts.slip_zone == 0
@@ -205,11 +205,12 @@ std::vector<std::string> doubts(const Examination& start, const Examination& end
   constexpr double little = 0.05, beside = 0.05;
   std::vector<std::string> found;
   if (end.unworn_force > start.unworn_force + beside)
-    found.push_back(fmt::format(
-        "{:.2g} of the contact force is on boundary that does not wear ({:.2g} at the start), and "
-        "so much less wears: wear.on may name it{}",
-        end.unworn_force, start.unworn_force,
-        end.gap_error ? ", or mesh motion, instead of a gap, carry it along" : ""));
+    found.push_back(
+        fmt::format("{:.3g} % of the contact force is on boundary that does not wear ({:.3g} % at "
+                    "the start), and "
+                    "so much less wears: wear.on may name it{}",
+                    100 * end.unworn_force, 100 * start.unworn_force,
+                    end.gap_error ? ", or mesh motion, instead of a gap, carry it along" : ""));
   if (end.few_nodes > 0)
     found.push_back(
         fmt::format("contact at the end is {} node{}: depths and pressures are those of this mesh, "
