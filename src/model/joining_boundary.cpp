@@ -8,6 +8,7 @@
 #include <set>
 
 #include "mesh/facet_table.hpp"
+#include "model/near_facets.hpp"
 
 namespace gnomon {
 
@@ -170,28 +171,17 @@ void WearModel<dim>::remember_joined(const Assembly<dim>& before, double t,
 template <int dim>
 std::vector<std::vector<Vector<dim>>> WearModel<dim>::positions(const State& state) const {
   const FieldValues<dim> values = this->values(state);
-  const NodalField<dim>& d = values.vector(equations_.fields().d);
   std::vector<std::vector<Vector<dim>>> all;
-  for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
-    const NodalField<dim>& u = values.vector(equations_.fields(p).u);
-    std::vector<Vector<dim>>& x = all.emplace_back(assembly().mesh.nodes);
-    for (std::size_t node = 0; node < x.size(); ++node) {
-      const auto row = static_cast<Eigen::Index>(node);
-      x[node] += (d.row(row) + u.row(row)).transpose();
-    }
-  }
+  for (std::size_t p = 0; p < equations_.phases().size(); ++p)
+    all.push_back(deformed(assembly().mesh, values.vector(equations_.fields().d),
+                           values.vector(equations_.fields(p).u)));
   return all;
 }
 
 template <int dim>
 bool WearModel<dim>::have_moved(const std::vector<std::vector<Vector<dim>>>& x, double part) const {
-  for (std::size_t p = 0; p < x.size(); ++p) {
-    const auto& places = equations_.phases()[p].places;
-    const auto before = in_space(assembly().pairs, places, assembly().near[p]),
-               now = in_space(assembly().pairs, places, x[p]);
-    for (const MortarPair<dim>& pair : assembly().pairs)
-      if (!is_within_margin(pair, before, now, part)) return true;
-  }
+  for (std::size_t p = 0; p < x.size(); ++p)
+    if (have_strayed(assembly(), equations_.phases()[p], x[p], part)) return true;
   return false;
 }
 

@@ -8,6 +8,7 @@
 
 #include "model/first_loading.hpp"
 #include "model/loads_beyond_friction.hpp"
+#include "model/near_facets.hpp"
 #include "model/wear_start.hpp"
 
 namespace gnomon {
@@ -94,18 +95,10 @@ void PathMarch<dim>::keep(const Alone& alone, std::size_t phase) {
 /// part of the margin, facets are found anew where the bodies are now, in all phases by as much.
 template <int dim>
 bool PathMarch<dim>::come_near(const Phase<dim>& at, const NodalField<dim>& u, double part) {
-  const std::vector<MortarPair<dim>>& pairs = near_->pairs;
-  if (pairs.empty()) return false;
-  const NodalField<dim>& d = values_.vector(whole_.fields().d);
+  if (near_->pairs.empty()) return false;
+  std::vector<Vector<dim>> x = deformed(near_->mesh, values_.vector(whole_.fields().d), u);
+  if (!have_strayed(*near_, at, x, part)) return false;
   const std::vector<Vector<dim>>& before = near_->near[nearest_instant(*near_, at.position)];
-  std::vector<Vector<dim>> x = near_->mesh.nodes;
-  for (std::size_t node = 0; node < x.size(); ++node)
-    x[node] += (d.row(Eigen::Index(node)) + u.row(Eigen::Index(node))).transpose();
-  const auto was = in_space(pairs, at.places, before), is = in_space(pairs, at.places, x);
-  if (std::ranges::all_of(pairs, [&](const MortarPair<dim>& pair) {
-        return is_within_margin(pair, was, is, part);
-      }))
-    return false;
   AssemblyParts<dim> parts = *near_;
   for (std::size_t node = 0; node < x.size(); ++node) x[node] -= before[node];
   for (std::vector<Vector<dim>>& near : parts.near)
@@ -157,10 +150,7 @@ void PathMarch<dim>::keep_near(Alone alone, std::size_t to) {
   Alone again(*this, phase);
   again.values = alone.values;
   again.remember(place_);
-  if (std::string reason; !solve(again, reason))
-    throw SolutionError(
-        fmt::format("no equilibrium was found on the path of the cycle, at tau = {:.4g}: {}",
-                    phase.position, reason));
+  if (std::string reason; !solve(again, reason)) refuse(phase, reason);
   keep(again, to);
 }
 
