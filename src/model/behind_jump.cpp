@@ -1,21 +1,27 @@
-#include <gnomon/integrators/rates.hpp>
+#include <gnomon/base/error.hpp>
 #include <gnomon/model/wear_model.hpp>
 
 #include "model/path_march.hpp"
 
 namespace gnomon {
 
-/// Two cycles, as at the start: in the first one bodies leave what they remember.
+/// Of paths two cycles, as at the start: in the first one bodies leave what they remember.
 template <int dim>
 State WearModel<dim>::behind_jump(const State& state) const {
   Counters counters;
   const FieldValues<dim> before = system().values(state.t, state.y);
-  PathMarch<dim> march(equations_, before, state.t, counters);
-  march.go_on_from(before, before.vector(equations_.fields().memory));
-  march.cycle();
-  State behind{state.t, std::vector<double>(state.y.size()), {}};
-  system().numbering().gather(march.cycle(), behind.y);
-  set_rates(system(), nullptr, behind);
+  const auto second_cycle = [&] {
+    PathMarch<dim> march(equations_, before, state.t, counters);
+    march.go_on_from(before, before.vector(equations_.fields().memory));
+    march.cycle();
+    return march.cycle();
+  };
+  State behind =
+      at_rest(state.t, assembly().interface.sticks ? second_cycle()
+                                                   : equilibrium(before, state.t, counters));
+  // Their facets would have to be found anew within a step.
+  if (!assembly().pairs.empty() && have_moved(positions(behind), 1))
+    throw SolutionError("bodies slide on each other by facets; a ramp in time instead is followed");
   return behind;
 }
 

@@ -11,7 +11,7 @@ namespace {
 /// The last two equilibria of the ramp.
 class LoadPath {
 public:
-  explicit LoadPath(std::vector<double> unloaded) : last_(std::move(unloaded)) {}
+  LoadPath(double begin, std::vector<double> y) : reached_(begin), last_(std::move(y)) {}
 
   double reached() const { return reached_; }
   const std::vector<double>& last() const { return last_; }
@@ -32,7 +32,7 @@ public:
   }
 
 private:
-  double reached_ = 0, increment_ = 0;
+  double reached_, increment_ = 0;
   std::vector<double> last_, before_;
 };
 
@@ -52,16 +52,21 @@ double growth(int iterations, const RampOptions& options) {
 
 RampReport ramp_load(const LoadSolve& solve, const RampOptions& options, std::vector<double>& y) {
   RampReport report;
-  LoadPath path(y);
+  LoadPath path(options.begin, y);
   double increment = options.first;
   while (path.reached() < 1 && report.increments + report.failures < options.most) {
     const double target = target_of(path.reached(), std::min(increment, options.largest));
     const double size = target - path.reached();
     path.predict(target, y);
-    const NewtonReport newton = solve(target, y);
+    NewtonReport newton = solve(target, y);
+    if (newton.converged && options.strays && options.strays(y, 1)) {
+      newton.converged = false;
+      newton.reason = "bodies of a pair slide too far on each other";
+    }
     if (newton.converged) {
       path.append(target, y);
       ++report.increments;
+      if (options.strays && path.reached() < 1 && options.strays(path.last(), 0.5)) break;
       increment = std::max(options.smallest, size * growth(newton.iterations, options));
       continue;
     }

@@ -16,6 +16,7 @@
 #include "model/find_creepage.hpp"
 #include "model/initial_gap.hpp"
 #include "model/path_march.hpp"
+#include "model/phase_start.hpp"
 #include "model/rigid_balance.hpp"
 
 namespace gnomon {
@@ -71,8 +72,9 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
     passed(y);
     contact.numbering().scatter(y, values);
   };
-  const std::vector<Approach> approaches = close_initial_gaps(equations, contact, values, touching);
-  bool loaded = false;
+  std::vector<Approach> approaches;
+  bool loaded = options.begin > 0;
+  if (!loaded) approaches = close_initial_gaps(equations, contact, values, touching);
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
     contact.set_load_fraction(fraction);
     if (!loaded && passed && !pairs) {
@@ -198,27 +200,35 @@ void require_touch(const Assembly<dim>& assembly, const FieldValues<dim>& values
 }  // namespace
 
 template <int dim>
-State WearModel<dim>::start(Counters& counters) const {
-  FieldValues<dim> values(*equations_.composition()->fields);
-  const bool sticks = assembly().interface.sticks;
-  if (sticks) values = start_of_path(equations_, counters);
-  // Else, at a fixed shape, no phase of a cycle knows of another.
-  for (std::size_t p = 0; !sticks && p < equations_.phases().size(); ++p) {
-    const bool only = equations_.phases().size() == 1;
+FieldValues<dim> WearModel<dim>::equilibrium(const FieldValues<dim>& shape, double t,
+                                             Counters& counters) const {
+  FieldValues<dim> values = shape;
+  const bool only = equations_.phases().size() == 1;
+  for (std::size_t p = 0; p < equations_.phases().size(); ++p) {
+    const Phase<dim>& phase = equations_.phases()[p];
     const WornBodyEquations<dim> alone =
-        only ? equations_
-             : WornBodyEquations<dim>(equations_.shared_assembly(), {equations_.phases()[p]});
-    ComposedSystem<dim> contact(alone.composition(), alone.without_creepage());
-    FieldValues<dim> of_phase(*alone.composition()->fields);
-    const RampReport ramp =
-        find_equilibrium(alone, contact, ramp_options(assembly()), of_phase, counters);
-    if (ramp.reached < 1) throw SolutionError(failure_of(ramp, assembly(), equations_.phases()[p]));
-    if (alone.without_creepage() != alone.deformation()) find_creepage(alone, of_phase, counters);
-    require_touch<dim>(assembly(), of_phase, alone.fields(), equations_.phases()[p]);
-    copy_phase(of_phase, alone.fields(), values, equations_.fields(p));
+        only ? equations_ : WornBodyEquations<dim>(equations_.shared_assembly(), {phase});
+    PhaseStart<dim> start(alone, shape.vector(equations_.fields().d), t, counters);
+    if (const RampReport ramp = start.find(); ramp.reached < 1)
+      throw SolutionError(t > 0 ? ramp.reason : failure_of(ramp, assembly(), phase));
+    if (alone.without_creepage() != alone.deformation())
+      find_creepage(alone, start.values(), counters);
+    require_touch<dim>(assembly(), start.values(), alone.fields(), phase);
+    copy_phase(start.values(), alone.fields(), values, equations_.fields(p));
   }
-  State state;
-  state.y.resize(system().structure().size);
+  return values;
+}
+
+template <int dim>
+State WearModel<dim>::start(Counters& counters) const {
+  const FieldValues<dim> unworn(*equations_.composition()->fields);
+  return at_rest(0, assembly().interface.sticks ? start_of_path(equations_, counters)
+                                                : equilibrium(unworn, 0, counters));
+}
+
+template <int dim>
+State WearModel<dim>::at_rest(double t, const FieldValues<dim>& values) const {
+  State state{t, std::vector<double>(system().structure().size), {}};
   system().numbering().gather(values, state.y);
   if (!assembly().pairs.empty()) {
     // Loads may have moved bodies beyond the facets that they were expected to meet.
@@ -245,6 +255,10 @@ template RampReport find_equilibrium(const WornBodyEquations<3>&, ComposedSystem
                                      const std::function<void(std::span<double>)>&);
 template std::string failure_of(const RampReport&, const Assembly<3>&, const Phase<3>&);
 template State WearModel<2>::start(Counters&) const;
+template State WearModel<2>::at_rest(double, const FieldValues<2>&) const;
+template FieldValues<2> WearModel<2>::equilibrium(const FieldValues<2>&, double, Counters&) const;
+template State WearModel<3>::at_rest(double, const FieldValues<3>&) const;
+template FieldValues<3> WearModel<3>::equilibrium(const FieldValues<3>&, double, Counters&) const;
 template State WearModel<3>::start(Counters&) const;
 
 }  // namespace gnomon

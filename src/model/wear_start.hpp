@@ -17,6 +17,10 @@ struct RampOptions {
   double largest = 1;      ///< upper bound of increments
   double smallest = 1e-4;  ///< lower bound, except for the last; the ramp ends if this one fails
   int most = 1000;         ///< largest number of solves: for absurd loads increments are tiny
+  double begin = 0;        ///< fraction at which y is an equilibrium
+  /// Whether an equilibrium has left this part of what its equations are valid for; it is none
+  /// beyond the whole, and beyond the half the ramp ends.
+  std::function<bool(std::span<const double> y, double part)> strays{};
   int good_iterations =
       3;  ///< Newton iterations per increment: with fewer the next grows, with more it shrinks
 };
@@ -31,9 +35,9 @@ struct RampReport {
 /// Solves for the equilibrium at a fraction of the load, in place, from a guess.
 using LoadSolve = std::function<NewtonReport(double fraction, std::span<double> y)>;
 
-/// From y without load to y with all of it. The guess of each increment is the secant through the
-/// last two equilibria; a failed increment is halved, and the next one grows by at most a half.
-/// If the ramp fails, y is the last equilibrium.
+/// From y at RampOptions::begin to y with all of the load. The guess of each increment is the
+/// secant through the last two equilibria; a failed increment is halved, and the next one grows by
+/// at most a half. If the ramp fails, y is the last equilibrium.
 RampReport ramp_load(const LoadSolve& solve, const RampOptions& options, std::vector<double>& y);
 
 /// The best increments of the load of this body. An increment from rest is limited by the change of
@@ -45,8 +49,9 @@ RampReport ramp_load(const LoadSolve& solve, const RampOptions& options, std::ve
 template <int dim>
 RampOptions ramp_options(const Assembly<dim>& body);
 
-/// Brings `values` (zero displacement; any shape) into equilibrium with the whole load, at t = 0 or
-/// the time at which `contact` is frozen with the shape, by a ramp.
+/// Brings `values` (zero displacement, or an equilibrium at RampOptions::begin; any shape) into
+/// equilibrium with the whole load, at t = 0 or the time at which `contact` is frozen with the
+/// shape, by a ramp.
 /// Increments below the whole load are solved only roughly, because they only give first guesses.
 /// `contact`: the system of WornBodyEquations::deformation(); its load fraction keeps the value at
 /// which the ramp ended. `passed`: where history matters, told where the bodies first touch, then

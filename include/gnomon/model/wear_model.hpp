@@ -59,6 +59,11 @@ private:
   explicit WearModel(WornBodyEquations<dim> equations);
   std::optional<PhaseError> phase_error(const State& state) const;
   State behind_jump(const State& state) const;
+  /// Without stick: deformation at the shape that `shape` has, phase by phase, from bodies without
+  /// load. Throws SolutionError.
+  FieldValues<dim> equilibrium(const FieldValues<dim>& shape, double t, Counters& counters) const;
+  /// With these values, and their rates.
+  State at_rest(double t, const FieldValues<dim>& values) const;
   Examination examine(const State& state) const;
   /// Of a state with these values and contacts, where wear is a gap (Examination::gap_error).
   std::optional<GapError> gap_error(const State& state, const FieldValues<dim>& values,
