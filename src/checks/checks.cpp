@@ -93,15 +93,18 @@ std::vector<std::string> doubts(const Examination& facts) {
         "half; a longer mesh is needed",
         facts.touched_end));
   if (facts.lost_wear > lost)
-    found.push_back(
-        fmt::format("{:.2g} of the wear of a body is at contact nodes whose shape is held, and is "
-                    "lost: shape.hold, or the end of the wearing surface at a curved side",
-                    facts.lost_wear));
-  if (facts.intrusion && facts.intrusion->depth > deep * facts.deformation)
     found.push_back(fmt::format(
-        "boundary that is not in contact lies {:.3g} mm inside the counter-body, at {}: it should "
-        "touch there (wear.on), or the mesh should be finer",
-        facts.intrusion->depth, point_text(facts.intrusion->position)));
+        "{:.3g} % of the wear of a body is at contact nodes whose shape is held, and is "
+        "lost: shape.hold, or the end of the wearing surface at a curved side",
+        100 * facts.lost_wear));
+  if (facts.intrusion &&
+      facts.intrusion->depth > (facts.pairs.empty() ? deep : 10 * deep) * facts.deformation)
+    found.push_back(
+        fmt::format("boundary that is not in contact lies {:.3g} mm inside the {}, at {}: it "
+                    "should touch there "
+                    "(wear.on), or the mesh should be finer",
+                    facts.intrusion->depth, facts.pairs.empty() ? "counter-body" : "other body",
+                    point_text(facts.intrusion->position)));
   if (facts.drag && facts.drag->drag > dragged * facts.drag->stroke)
     found.push_back(fmt::format(
         "friction drags the contact by {:.3g} mm of a stroke of {:.3g} mm: for that "

@@ -168,8 +168,8 @@ Examination WearModel<dim>::examine(const State& state) const {
                     .reactions = std::move(balance.reactions),
                     .pairs = std::move(balance.pairs),
                     .idle_load = balance.idle_load};
-  if (assembly().pairs.empty())
-    facts.intrusion = find_intrusion(equations_, values, state.t, contacts);
+  facts.intrusion = assembly().pairs.empty() ? find_intrusion(equations_, values, state.t, contacts)
+                                             : find_intrusion_of_pairs(equations_, values);
   facts.drag = find_drag(equations_, values, contacts);
   if (state.t > 0) facts.edge = edge_pressure(assembly(), contacts);
   if (state.t > 0) facts.gap_error = gap_error(state, values, contacts);

@@ -7,6 +7,8 @@
 #include <span>
 
 #include "mesh/facet_table.hpp"
+#include "model/facet_gaps.hpp"
+#include "model/near_facets.hpp"
 
 namespace gnomon {
 
@@ -73,6 +75,43 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
   return deepest;
 }
 
+template <int dim>
+std::optional<BoundaryPoint> find_intrusion_of_pairs(const WornBodyEquations<dim>& equations,
+                                                     const FieldValues<dim>& values) {
+  const Assembly<dim>& assembly = equations.assembly();
+  const double far = 0.01 * Box<dim>::around(assembly.mesh.nodes).diagonal();
+  std::optional<BoundaryPoint> deepest;
+  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
+    const WornBodyFields& fields = equations.fields(p);
+    const auto x =
+        in_space(assembly.pairs, equations.phases()[p].places,
+                 deformed(assembly.mesh, values.vector(fields.d), values.vector(fields.u)));
+    const auto look = [&](const auto& facet, double depth) {
+      // Facets that face away from each other are farther behind each other.
+      if (depth > (x[facet[1]] - x[facet[0]]).norm()) return;
+      if (depth > (deepest ? deepest->depth : 0))
+        deepest = BoundaryPoint{point_in_space<dim>(assembly.mesh.nodes[facet[0]]), depth};
+    };
+    for (const MortarPair<dim>& pair : assembly.pairs) {
+      const FacetGaps gaps =
+          facet_gaps<dim>(pair.boundary[0], pair.boundary[1], x, assembly.section(), {-far, 0});
+      for (const std::size_t side : {0, 1}) {
+        std::set<typename Mesh<dim>::Facet> meeting;
+        for (const auto& facet : side == 0 ? pair.slave : pair.master)
+          meeting.insert(sorted(facet));
+        for (std::size_t f = 0; f < pair.boundary[side].size(); ++f)
+          if (const auto& facet = pair.boundary[side][f]; !meeting.contains(sorted(facet)))
+            look(facet, -gaps[side][f]);
+      }
+    }
+  }
+  return deepest;
+}
+
+template std::optional<BoundaryPoint> find_intrusion_of_pairs(const WornBodyEquations<2>&,
+                                                              const FieldValues<2>&);
+template std::optional<BoundaryPoint> find_intrusion_of_pairs(const WornBodyEquations<3>&,
+                                                              const FieldValues<3>&);
 template std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<2>&,
                                                      const FieldValues<2>&, double,
                                                      const std::vector<PhaseContact<2>>&);

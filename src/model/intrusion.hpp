@@ -14,4 +14,10 @@ std::optional<BoundaryPoint> find_intrusion(const WornBodyEquations<dim>& equati
                                             const FieldValues<dim>& values, double t,
                                             const std::vector<PhaseContact<dim>>& contacts);
 
+/// Of pairs: the deepest of the boundary that does not take part in contact inside the other body,
+/// in any phase.
+template <int dim>
+std::optional<BoundaryPoint> find_intrusion_of_pairs(const WornBodyEquations<dim>& equations,
+                                                     const FieldValues<dim>& values);
+
 }  // namespace gnomon

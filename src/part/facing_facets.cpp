@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/shapes/counter_surface.hpp>
-#include <gnomon/terms/mortar_kernel.hpp>
-#include <limits>
 #include <numeric>
 #include <set>
 
-#include "mesh/facet_bins.hpp"
 #include "mesh/facet_table.hpp"
 #include "part/boundary_beside.hpp"
 
@@ -33,58 +31,13 @@ int BodyOfFacets<dim>::operator()(const typename Mesh<dim>::Facet& facet) const 
 
 namespace {
 
-/// Flat, where it is now.
+/// Those of a pair that meet anywhere within its reach, and are not far behind each other, as are
+/// facets that face away from each other.
 template <int dim>
-FacetPair<dim> pair_of(const typename Mesh<dim>::Facet& slave,
-                       const typename Mesh<dim>::Facet& master, const std::vector<Vector<dim>>& x) {
-  FacetPair<dim> pair;
-  const Vector<dim> n = facet_normal<dim>(slave, x);
-  for (int a = 0; a < Mesh<dim>::facet_nodes; ++a) {
-    pair.x.row(a) = x[slave[a]].transpose();
-    pair.n.row(a) = n.transpose();
-    pair.y.row(a) = x[master[a]].transpose();
-  }
-  pair.X = pair.x;
-  return pair;
-}
-
-/// Of a facet that meets none.
-constexpr double far = std::numeric_limits<double>::infinity();
-
-/// By facet of either side: the smallest mean gap to one of the other that it meets along the
-/// slave's normal; `cover`: all that meets is added to it.
-template <int dim>
-std::array<std::vector<double>, 2> gaps_of(const MortarPair<dim>& pair,
-                                           const std::vector<Vector<dim>>& x, Section section,
-                                           Cover* cover = nullptr) {
-  constexpr double opposite = -0.2;  // cosine
-  // Facets that face away from each other are far behind each other.
+FacetGaps gaps_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x, Section section,
+                  Cover* cover = nullptr) {
   const double deepest = 0.01 * Box<dim>::around(x).diagonal();
-  std::array<std::vector<double>, 2> gaps = {std::vector<double>(pair.slave.size(), far),
-                                             std::vector<double>(pair.master.size(), far)};
-  std::vector<Vector<dim>> normals;
-  for (const auto& facet : pair.master) normals.push_back(facet_normal<dim>(facet, x));
-  const FacetBins<dim> bins(pair.master, x);
-  for (std::size_t s = 0; s < pair.slave.size(); ++s) {
-    const Vector<dim> n = facet_normal<dim>(pair.slave[s], x), &corner = x[pair.slave[s][0]];
-    double size = 0;
-    for (const int node : pair.slave[s]) size = std::max(size, (x[node] - corner).norm());
-    for (const int m : bins.near_line(corner, n, pair.reach + size, size)) {
-      if (n.dot(normals[m]) > opposite) continue;
-      const CoveredPart<dim> part =
-          covered_part(pair_of<dim>(pair.slave[s], pair.master[m], x), section, pair.reach);
-      if (!(part.mass.sum() > 0)) continue;
-      const double gap = part.gap.sum() / part.mass.sum();
-      if (gap < -deepest) continue;
-      if (cover) {
-        cover->area += part.mass.sum();
-        cover->volume += part.gap.sum();
-      }
-      gaps[0][s] = std::min(gaps[0][s], gap);
-      gaps[1][m] = std::min(gaps[1][m], gap);
-    }
-  }
-  return gaps;
+  return facet_gaps<dim>(pair.slave, pair.master, x, section, {-deepest, pair.reach}, cover);
 }
 
 /// Mean edge of the few facets with the smallest gaps [length].
@@ -116,7 +69,7 @@ double mean_size(const std::vector<typename Mesh<dim>::Facet>& facets,
 template <int dim>
 void keep_facing(const std::vector<Vector<dim>>& x, Section section, MortarPair<dim>& pair) {
   const auto gaps = gaps_of(pair, x, section);
-  const auto meets = [](double gap) { return static_cast<char>(gap < far); };
+  const auto meets = [](double gap) { return static_cast<char>(std::isfinite(gap)); };
   std::vector<char> slave(gaps[0].size()), master(gaps[1].size());
   std::ranges::transform(gaps[0], slave.begin(), meets);
   std::ranges::transform(gaps[1], master.begin(), meets);

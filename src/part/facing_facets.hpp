@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "model/facet_gaps.hpp"
+
 namespace gnomon::part {
 
 /// The body to which a facet of the boundary belongs.
@@ -29,11 +31,7 @@ template <int dim>
 void keep_facing_at(const std::vector<std::vector<Vector<dim>>>& x, Section section,
                     MortarPair<dim>& pair);
 
-/// What of the sides of a pair meets along the slave's normals.
-struct Cover {
-  double area = 0;
-  double volume = 0;  ///< of the gap; less than zero where the sides overlap
-};
+/// What of the sides of a pair meets.
 template <int dim>
 Cover cover_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x, Section section);
 
