@@ -8,11 +8,13 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
 #include "model/rigid_balance.hpp"
 #include "part/boundary_beside.hpp"
+#include "part/carried_bodies.hpp"
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"
 #include "part/pair_cycle.hpp"
@@ -207,15 +209,19 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   // Contact grows to where the gap at first touch is what wear and deformation close.
   const double closed = 3 * (expected.deepest + expected.scales.displacement);
   const auto instants = places_over_cycle(parts);
-  std::vector<std::vector<Vector<dim>>> touching;  // in space
-  for (const auto& places : instants)
-    touching.push_back(in_space(parts.pairs, places, RigidBalance<dim>(parts, places).x));
+  std::vector<std::vector<Vector<dim>>> touching;  // in space; first those that nothing carries
+  AssemblyParts<dim> carried = parts;
+  for (std::vector<Vector<dim>>& nodes : carried_meshes(parts)) {
+    carried.mesh.nodes = std::move(nodes);
+    for (const auto& places : instants)
+      touching.push_back(in_space(parts.pairs, places, RigidBalance<dim>(carried, places).x));
+  }
   std::vector<std::string> reasons;
   std::vector<std::vector<Vector<dim>>> nearest, meshed;  // by pair; as loads move bodies, or not
   for (MortarPair<dim>& pair : parts.pairs) {
     // Facets of a shaft and its bore have gaps of their own.
     std::vector<double> gaps;
-    for (const auto& x : touching) gaps.push_back(gap_of(pair, x));
+    for (std::size_t k = 0; k < instants.size(); ++k) gaps.push_back(gap_of(pair, touching[k]));
     const auto least = std::ranges::min_element(gaps);
     const double gap = *least;
     const auto when = static_cast<std::size_t>(least - gaps.begin());

@@ -15,6 +15,7 @@
 #include "model/rigid_parts.hpp"
 #include "part/body_motions.hpp"
 #include "part/boundary_beside.hpp"
+#include "part/carried_bodies.hpp"
 #include "part/facing_facets.hpp"
 #include "part/facing_refusal.hpp"
 #include "part/groups.hpp"
@@ -228,6 +229,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   const std::map<std::string, BodyCycle<dim>> motions = read_motions_of_bodies(scene, parts);
   read_cycle_of_bodies(scene, motions, parts);
   const auto instants = close_places_over_cycle(parts);
+  const auto carried = carried_meshes(parts);
   for (const std::string& table : pair_tables(scene)) {
     const std::array<int, 2> bodies = bodies_of_pair(scene, table, parts.bodies);
     const auto [slave, master] = sides_of(scene, table, part, parts, body_of, wearing, bodies);
@@ -246,7 +248,8 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
     pair.boundary = {pair.slave, pair.master};
     std::vector<std::vector<Vector<dim>>> x;
     for (const auto& places : instants)
-      x.push_back(in_space<dim>({pair}, places, parts.mesh.nodes));
+      for (const std::vector<Vector<dim>>& nodes : carried)
+        x.push_back(in_space<dim>({pair}, places, nodes));
     keep_facing_at<dim>(x, parts.section(), pair);
     if (pair.slave.empty()) refuse_facing(scene, table, part, body_of, pair, x);
     pair.approach = approach_of(pair, parts, bodies);
