@@ -18,6 +18,7 @@
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"
 #include "part/pair_cycle.hpp"
+#include "part/pair_remarks.hpp"
 #include "part/pairs.hpp"
 #include "part/rolling_scene.hpp"
 #include "part/round_fit.hpp"
@@ -133,31 +134,6 @@ bool choose_track(const Scene& scene, const AssemblyParts<dim>& parts, MortarPai
   return changes;
 }
 
-/// Where two surfaces that wear meet at an edge, a node has one normal and one pressure for both.
-template <int dim>
-void tell_of_edges(AssemblyParts<dim>& parts) {
-  std::map<int, std::vector<std::pair<std::string, Vector<dim>>>> met;  // by node
-  std::set<std::pair<std::string, std::string>> told;
-  for (const Surface<dim>& surface : parts.interface.surfaces) {
-    if (!surface.wears) continue;
-    for (const auto& facet : surface.facets) {
-      const Vector<dim> n = facet_normal<dim>(facet, parts.mesh.nodes);
-      for (const int node : facet) {
-        for (const auto& [other, normal] : met[node])
-          if (other != surface.name && meet_at_edge<dim>(n, normal))
-            told.emplace(other, surface.name);
-        met[node].emplace_back(surface.name, n);
-      }
-    }
-  }
-  for (const auto& [one, other] : told)
-    parts.remarks.push_back(
-        fmt::format("\"{}\" and \"{}\" wear and meet at an edge, whose nodes have a mean normal: "
-                    "pressures and volumes may be wrong by some percent; pair.#.surfaces restricts "
-                    "contact to one of them",
-                    one, other));
-}
-
 /// By pair: facets, by sorted nodes, of wearing surfaces whose nodes are nearer to what the pair
 /// touches than to what others do. A surface that several pairs touch is divided between them;
 /// where it carries the pressures, with a facet between that belongs to none.
@@ -265,6 +241,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
         surface.wear = before.wear, surface.track = before.track;
   parts.interface.surfaces = std::move(surfaces);
   tell_of_edges(parts);
+  tell_of_turning(parts);
 }
 
 namespace {
