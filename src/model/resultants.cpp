@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <gnomon/base/processes.hpp>
-#include <set>
 
 #include "mesh/facet_table.hpp"
 #include "model/connected_parts.hpp"
@@ -91,23 +90,13 @@ private:
   const Assembly<dim>& assembly_;
 };
 
-/// By contact node: the pair whose slave it belongs to alone, or -1.
+/// By contact node: the pair whose slave it belongs to, or -1.
 template <int dim>
 std::vector<int> pair_of_slaves(const Assembly<dim>& assembly) {
   std::vector<int> pair_of(assembly.contact_nodes.size(), -1);
-  const std::size_t count = assembly.pairs.size();
-  std::vector<std::set<int>> masters;
-  for (const MortarPair<dim>& pair : assembly.pairs)
-    masters.push_back(nodes_of_facets(pair.master));
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::set<int> slaves = nodes_of_facets(assembly.pairs[k].slave);
-    const bool alone = std::ranges::none_of(masters, [&](const std::set<int>& others) {
-      return std::ranges::any_of(slaves, [&](int node) { return others.contains(node); });
-    });
-    for (const int node : slaves)
-      if (alone)
-        pair_of[static_cast<std::size_t>(assembly.contact_node(node))] = static_cast<int>(k);
-  }
+  for (std::size_t k = 0; k < assembly.pairs.size(); ++k)
+    for (const int node : nodes_of_facets(assembly.pairs[k].slave))
+      pair_of[static_cast<std::size_t>(assembly.contact_node(node))] = static_cast<int>(k);
   return pair_of;
 }
 
@@ -204,7 +193,7 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
         sum.add(rubbed, weight, place, force - along);
       } else if (pair_of_[c] >= 0) {
         sum.add(pairs[static_cast<std::size_t>(pair_of_[c])], weight, place,
-                -in_space.force(node, force));
+                in_space.force(node, contact.own_force));
       }
     }
     const NodalField<dim> carried =
@@ -219,9 +208,7 @@ ForceBalance Resultants<dim>::balance(const FieldValues<dim>& values, double t,
   }
   balance.forces = {loads, supports, springs};
   if (assembly.pairs.empty()) balance.forces.insert(balance.forces.end(), {pressed, rubbed});
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (std::ranges::find(pair_of_, static_cast<int>(k)) != pair_of_.end())
-      balance.pairs.push_back(pairs[k]);
+  balance.pairs = std::move(pairs);
   balance.idle_load = all > 0 ? idle / all : 0;
   return balance;
 }

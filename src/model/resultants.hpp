@@ -40,7 +40,7 @@ private:
   WornBodyEquations<dim> equations_;
   Numbering all_, held_;         // of all values of u, and of those that supports hold
   std::vector<int> body_of_;     // by node of the mesh
-  std::vector<int> pair_of_;     // by contact node: the pair whose slave it belongs to alone, or -1
+  std::vector<int> pair_of_;     // by contact node: the pair whose slave it belongs to, or -1
   std::vector<int> undeformed_;  // by node: the part of the mesh whose travel places it, or -1
   std::vector<std::unique_ptr<Term<dim>>> terms_;  // null where a term exerts no force on a body
 };

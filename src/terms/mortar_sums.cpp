@@ -254,8 +254,12 @@ std::vector<ContactNode<dim>> MortarTerm<dim>::nodes(const Evaluation<dim>& at) 
     }
     if (state.direction)
       node.velocity -= weight(sides_[s]) * state.rate.value * state.area * state.direction->value;
-    if (sides_[s].slave) node.load = state.load, node.share = std::max(state.area, 0.0);
-    if (sides_[s].slave) node.gap = state.area > 0 ? state.gap / state.area : pair(sides_[s]).reach;
+    if (sides_[s].slave) {
+      node.load = state.load;
+      node.own_force = turn.transpose() * state.force;
+      node.share = std::max(state.area, 0.0);
+      node.gap = state.area > 0 ? state.gap / state.area : pair(sides_[s]).reach;
+    }
     if (!(area > 0)) continue;
     node.traction = (load - state.load) / area;
     node.wear_rate = (flux + state.area * state.rate.value) / area;

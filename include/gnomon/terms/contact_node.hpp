@@ -106,10 +106,11 @@ struct ContactNode {
   Scalar traction{0};               ///< lambda_eff [stress]
   Scalar area{0};                   ///< A; of a pair of bodies, that which the partner
                                     ///< covers, a tenth at least where it carries force
-  Scalar load{0};   ///< - lambda_eff A; of a pair, by the node's own multiplier alone [force]
-  Scalar share{0};  ///< the area that bears it
-  Scalar gap{0};    ///< g [length]
-  Vector<dim> normal = Vector<dim>::Zero();  ///< n of the partner
+  Scalar load{0};  ///< - lambda_eff A; of a pair, by the node's own multiplier alone [force]
+  Vector<dim, Scalar> own_force = Vector<dim, Scalar>::Zero();  ///< of a pair: that part of `force`
+  Scalar share{0};                                              ///< the area that bears it
+  Scalar gap{0};                                                ///< g [length]
+  Vector<dim> normal = Vector<dim>::Zero();                     ///< n of the partner
   /// On the partner, in a phase; only where contact may stick (stick_node.hpp) [length].
   Vector<dim, Scalar> slip = Vector<dim, Scalar>::Zero();
   double friction = 0;  ///< its coefficient; only where contact may stick
