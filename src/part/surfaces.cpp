@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/joining_boundary.hpp>
-#include <gnomon/model/wear_scene.hpp>
+#include <gnomon/model/physics.hpp>
 #include <gnomon/part/assembly_scene.hpp>
 #include <gnomon/scene/toml_key.hpp>
 #include <limits>
@@ -99,14 +99,23 @@ std::string remark_on_distance(const Scene& scene, const AssemblyParts<dim>& par
 }  // namespace
 
 template <int dim>
-void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts) {
+WearCircumstances circumstances_of(const AssemblyParts<dim>& parts, const Surface<dim>& surface) {
   WearCircumstances at = wear_circumstances(parts);
+  at.speed = parts.nominal_speed(surface);
+  at.initial.clear();
+  for (const int node : nodes_of_facets(surface.facets))
+    at.initial.push_back(point_in_space<dim>(parts.mesh.nodes[static_cast<std::size_t>(node)]));
+  return at;
+}
+
+template <int dim>
+void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts) {
   std::vector<std::string> common;  // remarks on wear.rate, once
   if (std::string remark = remark_on_distance(scene, parts); !remark.empty())
     parts.remarks.push_back(std::move(remark));
   for (Surface<dim>& surface : parts.interface.surfaces) {
     if (!surface.wears) continue;
-    at.speed = parts.nominal_speed(surface);
+    const WearCircumstances at = circumstances_of(parts, surface);
     std::vector<std::string> remarks;
     const std::string key = rate_key(scene, surface.name);
     if (scene.text("wear.law") == "expression") require_positions<dim>(scene, key);
@@ -123,6 +132,8 @@ void complete_surface_laws(const Scene& scene, AssemblyParts<dim>& parts) {
 
 template std::vector<Surface<2>> wearing_surfaces(const Scene&, const ImportedBody<2>&);
 template std::vector<Surface<3>> wearing_surfaces(const Scene&, const ImportedBody<3>&);
+template WearCircumstances circumstances_of(const AssemblyParts<2>&, const Surface<2>&);
+template WearCircumstances circumstances_of(const AssemblyParts<3>&, const Surface<3>&);
 template void complete_surface_laws(const Scene&, AssemblyParts<2>&);
 template void complete_surface_laws(const Scene&, AssemblyParts<3>&);
 

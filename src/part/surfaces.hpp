@@ -4,6 +4,7 @@
 
 #include <gnomon/mesh/imported_body.hpp>
 #include <gnomon/model/assembly.hpp>
+#include <gnomon/model/wear_scene.hpp>
 #include <gnomon/scene/scene.hpp>
 
 namespace gnomon::part {
@@ -19,6 +20,10 @@ WearLaw read_surface_law(const Scene& scene, const std::string& surface, double 
 /// Throws InputError where the expression of `key` reads z0 in the plane, where it is zero.
 template <int dim>
 void require_positions(const Scene& scene, const std::string& key);
+
+/// What the law of a surface meets, at its own speed and nodes.
+template <int dim>
+WearCircumstances circumstances_of(const AssemblyParts<dim>& parts, const Surface<dim>& surface);
 
 /// Checks and completes the laws for the values that a run may meet (required_law()). To be called
 /// when scales are known. Throws InputError.

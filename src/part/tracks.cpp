@@ -12,6 +12,7 @@
 #include "mesh/facet_table.hpp"
 #include "part/body_motions.hpp"
 #include "part/facing_facets.hpp"
+#include "part/surfaces.hpp"
 
 namespace gnomon::part {
 
@@ -255,10 +256,11 @@ std::vector<std::string> remarks_on_passing_material(const Scene& scene,
     return {};
   std::vector<std::string> remarks;
   const auto motions = read_motions_of_bodies(scene, parts);
-  const WearCircumstances at = wear_circumstances(parts);
   const BodyOfFacets<dim> body_of(parts.mesh, parts.bodies);
   for (const Surface<dim>& surface : parts.interface.surfaces) {
-    if (surface.track || !surface.wears || wear_by_pressure(surface.wear, at) == 0) continue;
+    if (surface.track || !surface.wears ||
+        wear_by_pressure(surface.wear, circumstances_of(parts, surface)) == 0)
+      continue;
     const int body = body_of(surface.facets.front());
     const auto motion = motions.find(parts.bodies[static_cast<std::size_t>(body)].name);
     if (motion == motions.end()) continue;
