@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <gnomon/run/run.hpp>
+#include <utility>
 
 #include "part/part_scene.hpp"
 
@@ -56,6 +57,103 @@ time.end = {}
   EXPECT_NEAR(2 * last("worn_volume") / segment, 1, 0.01);
   EXPECT_NEAR(2 * last("contact_half_width"), a, 0.02);
   EXPECT_LT(last("max_pressure") * 2 * a / 50, 1.1);
+}
+
+/// A support carries a pin along a plate, by five facets, before it is pressed.
+TEST_F(PairCandidates, ASupportCarriesABodyToOtherFacets) {
+  folder_.write("pin.geo", R"(Mesh.MeshSizeMin = 0.5; Mesh.MeshSizeMax = 0.5;
+Point(1) = {-2, 0, 0}; Point(2) = {2, 0, 0}; Point(3) = {2, 3, 0}; Point(4) = {-2, 3, 0};
+Point(11) = {-8, 0, 0}; Point(12) = {8, 0, 0}; Point(13) = {8, -3, 0}; Point(14) = {-8, -3, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line(11) = {12, 11}; Line(12) = {11, 14}; Line(13) = {14, 13}; Line(14) = {13, 12};
+Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};
+Curve Loop(11) = {11 : 14}; Plane Surface(11) = {11};
+Physical Surface("pin") = {1}; Physical Surface("plate") = {11};
+Physical Curve("foot") = {1}; Physical Curve("top") = {3}; Physical Curve("base") = {13};
+)");
+  for (const std::string carried : {"0.0", "2.5"}) {
+    const auto model = this->model(R"(problem = "worn_body"
+mesh.file = "pin.geo"
+body = [ { name = "pin", young_modulus = 1e4, poisson_ratio = 0.3, material = "linear" },
+         { name = "plate", young_modulus = 2e4, poisson_ratio = 0.3, material = "linear" } ]
+pair = [ { bodies = ["pin", "plate"] } ]
+motion = [ { body = "plate", velocity = [10.0, 0.0] } ]
+support = [ { on = "base" }, { on = "top", directions = ["x"], value = [)" +
+                                   carried + R"(] } ]
+load = [ { on = "top", force = [0.0, -100.0] } ]
+wear = { on = "foot", coefficient = 1e-8 }
+time.end = 1.0
+)");
+    Counters counters;
+    const State start = model->start(counters);
+    // As the run does it.
+    const auto moved = model->overdue(start) ? model->succeed(start) : std::nullopt;
+    const Model& there = moved ? *moved->model : *model;
+    EXPECT_EQ(moved.has_value(), carried != "0.0");
+    EXPECT_NEAR(*value_of(there.observe(start), "contact_force"), 100, 0.1) << carried;
+    EXPECT_NEAR(*value_of(there.observe(start), "max_pressure"), 30.2, 0.2) << carried;
+    EXPECT_NEAR(there.examine(start).pairs.front().force[1], 100, 1e-6) << carried;
+    EXPECT_FALSE(there.examine(start).intrusion) << carried;
+  }
+}
+
+/// A block of 3 mm on a ring of 5 mm that turns; `held` says what its top does along x.
+std::string on_ring(const std::string& held, double friction, const std::string& load = "") {
+  return fmt::format(R"(problem = "worn_body"
+mesh.file = "ring_and_block.geo"
+body = [ {{ name = "ring", young_modulus = 1e4, poisson_ratio = 0.3 }},
+         {{ name = "block", young_modulus = 2e4, poisson_ratio = 0.3 }} ]
+pair = [ {{ bodies = ["ring", "block"], friction = {} }} ]
+motion = [ {{ body = "ring", rotation = 1.0, center = [0.0, 0.0] }} ]
+support = [ {{ on = "bore" }}, {{ on = "top", directions = ["x"]{} }} ]
+load = [ {{ on = "top", force = [0.0, -100.0]{} }} ]
+wear = {{ on = ["face", "rim"], coefficient = 1e-7 }}
+time.end = 1.0
+)",
+                     friction, held, load);
+}
+
+constexpr const char* ring_and_block = R"(c1 = Cos(130*Pi/180); s1 = Sin(130*Pi/180);
+Point(1) = {0, 0, 0}; Point(2) = {2*c1, 2*s1, 0}; Point(3) = {-2*c1, 2*s1, 0};
+Point(4) = {-5*c1, 5*s1, 0}; Point(5) = {5*c1, 5*s1, 0};
+Circle(1) = {2, 1, 3}; Line(2) = {3, 4}; Circle(3) = {4, 1, 5}; Line(4) = {5, 2};
+Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};
+Point(11) = {-2, 5, 0}; Point(12) = {2, 5, 0}; Point(13) = {2, 8, 0}; Point(14) = {-2, 8, 0};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 11};
+Curve Loop(2) = {11 : 14}; Plane Surface(2) = {2};
+Transfinite Curve {1, 3} = 61; Transfinite Curve {2, 4} = 7;
+Transfinite Curve {11, 13} = 25; Transfinite Curve {12, 14} = 9;
+Transfinite Surface {1, 2}; Recombine Surface {1, 2};
+Physical Surface("ring") = {1}; Physical Surface("block") = {2}; Physical Curve("bore") = {1};
+Physical Curve("rim") = {3}; Physical Curve("face") = {11}; Physical Curve("top") = {13};
+)";
+
+// Springs and friction bring the block, which may turn, to other facets of the ring: there the
+// pressures, N by their sum, and friction, f N, are the force of the load and of the springs.
+TEST_F(PairCandidates, FrictionCarriesABodyToOtherFacets) {
+  folder_.write("ring_and_block.geo", ring_and_block);
+  for (const auto& [stiffness, friction] : {std::pair(5.0, 0.05), std::pair(8.0, 0.2)}) {
+    const auto model = this->model(on_ring(fmt::format(", stiffness = {}", stiffness), friction));
+    Counters counters;
+    const State start = model->start(counters);
+    ASSERT_TRUE(model->overdue(start));
+    const auto moved = model->succeed(start);
+    const auto force = moved->model->examine(start).pairs.front().force;
+    EXPECT_NEAR(force[1], -100, 1e-6);
+    const double pressed = *value_of(moved->model->observe(start), "contact_force");
+    EXPECT_NEAR(pressed * std::hypot(1, friction) / std::hypot(force[0], force[1]), 1, 2e-3);
+  }
+}
+
+// Behind a jump by a factor of 20 Newton's method alone does not find the equilibrium.
+TEST_F(PairCandidates, ALoadMayJumpByFar) {
+  folder_.write("ring_and_block.geo", ring_and_block);
+  const auto model =
+      this->model(on_ring("", 0.2, ", times = [0.0, 0.5, 0.5], factors = [0.05, 0.05, 1.0]"));
+  const RunOutcome end = run(*model, Integrators::find("esdirk-3", "integrator"),
+                             controlled_settings(*model, 1e-3, 1.0), {}, nullptr, {});
+  ASSERT_EQ(end.status, RunOutcome::Status::finished) << end.diagnosis;
+  EXPECT_NEAR(end.examination.pairs.front().force[1], -100, 1e-6);
 }
 
 }  // namespace

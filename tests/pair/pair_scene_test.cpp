@@ -1,5 +1,6 @@
 // Scenes of two bodies: what wears, who is the slave, what is refused.
 
+#include <cmath>
 #include <fstream>
 #include <gnomon/base/error.hpp>
 #include <iterator>
@@ -13,6 +14,7 @@ namespace {
 using namespace testing;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* scene = "worn_body/cylinder_on_plate.toml";
 
@@ -123,6 +125,89 @@ TEST(PairScene, AHeavyLoadLeavesNoHole) {
     largest = std::max(largest, surface.pressure[c]);
   }
   EXPECT_GT(inner, 0.9 * outer);
+}
+
+/// Two blocks on a plate with coarser elements, which carries the pressures of one or of both.
+constexpr const char* two_blocks = R"(
+Point(1) = {-4, -2, 0}; Point(2) = {4, -2, 0}; Point(3) = {4, 0, 0}; Point(4) = {-4, 0, 0};
+Point(11) = {-3, 0, 0}; Point(12) = {-0.1, 0, 0}; Point(13) = {-0.1, 2, 0}; Point(14) = {-3, 2, 0};
+Point(21) = {0.1, 0, 0}; Point(22) = {3, 0, 0}; Point(23) = {3, 2, 0}; Point(24) = {0.1, 2, 0};
+For k In {0 : 2}
+  Line(10 * k + 1) = {10 * k + 1, 10 * k + 2}; Line(10 * k + 2) = {10 * k + 2, 10 * k + 3};
+  Line(10 * k + 3) = {10 * k + 3, 10 * k + 4}; Line(10 * k + 4) = {10 * k + 4, 10 * k + 1};
+  Curve Loop(k + 1) = {10 * k + 1 : 10 * k + 4}; Plane Surface(k + 1) = {k + 1};
+EndFor
+Transfinite Curve {1, 3} = 9; Transfinite Curve {2, 4, 12, 14, 22, 24} = 4;
+Transfinite Curve {11, 13, 21, 23} = 10;
+Transfinite Surface {1, 2, 3}; Recombine Surface {1, 2, 3};
+Physical Surface("plate") = {1}; Physical Surface("left") = {2}; Physical Surface("right") = {3};
+Physical Curve("base") = {1}; Physical Curve("face") = {3};
+Physical Curve("left_foot") = {11}; Physical Curve("left_top") = {13};
+Physical Curve("left_sides") = {12, 14};
+Physical Curve("right_foot") = {21}; Physical Curve("right_top") = {23};
+Physical Curve("right_sides") = {22, 24};
+)";
+
+std::string with_two_blocks(const std::string& wear) {
+  return R"(problem = "worn_body"
+mesh.file = "blocks.geo"
+body = [ { name = "plate", young_modulus = 1e5, poisson_ratio = 0.3 },
+         { name = "left", young_modulus = 8e4, poisson_ratio = 0.3 },
+         { name = "right", young_modulus = 5e4, poisson_ratio = 0.3 } ]
+pair = [ { bodies = ["plate", "left"] }, { bodies = ["right", "plate"] } ]
+motion = [ { body = "plate", velocity = [100.0, 0.0] } ]
+support = [ { on = "base" }, { on = "left_sides", directions = ["x"] },
+            { on = "right_sides", directions = ["x"] } ]
+load = [ { on = "left_top", force = [0.0, -100.0] }, { on = "right_top", force = [0.0, -50.0] } ]
+time.end = 1.0
+)" + wear;
+}
+
+// Nodes of the plate are slaves of one block and masters of the other.
+TEST(PairScene, ForcesOfNeighbouringPairsAreToldApart) {
+  SceneFolder folder;
+  folder.write("blocks.geo", two_blocks);
+  const auto model = make_model(load_scene(
+      folder.write("scene.toml",
+                   with_two_blocks("wear = { on = [\"left_foot\"], coefficient = 1e-7 }\n")),
+      {}, key_table));
+  Counters counters;
+  const auto pairs = model->examine(model->start(counters)).pairs;
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_NEAR(std::abs(pairs[0].force[1]), 100, 1e-6) << pairs[0].name;
+  EXPECT_NEAR(std::abs(pairs[1].force[1]), 50, 1e-6) << pairs[1].name;
+}
+
+// Where the foot of the other block is, the root has no value.
+TEST(PairScene, ALawNeedsARateOnItsOwnSurfaceAlone) {
+  SceneFolder folder;
+  folder.write("blocks.geo", two_blocks);
+  const std::string wear = R"toml(
+[wear]
+on = ["left_foot", "right_foot"]
+coefficient = 1e-7
+[wear.surfaces.left_foot]
+rate = "k * p * v * sqrt(0.01 - x0)"
+[wear.surfaces.right_foot]
+rate = "k * p * v * sqrt(0.01 + x0)"
+)toml";
+  const auto load = [&](const std::string& text) {
+    return make_model(load_scene(folder.write("scene.toml", with_two_blocks(text)), {}, key_table));
+  };
+  EXPECT_NO_THROW(load(wear));
+  std::string wrong = wear;
+  wrong.replace(wrong.find("0.01 - x0"), 9, "0.01 + x0");
+  EXPECT_THROW(load(wrong), InputError);
+}
+
+TEST(PairScene, BodiesThatTurnAboutTheirContactAreToldOf) {
+  const auto model =
+      model_of("worn_body/ball_on_block.toml",
+               {"motion.1.rotation=1.0", "motion.1.axis=[0.0, 0.0, 1.0]",
+                "motion.1.velocity=[0.0, 0.0, 0.0]", "motion.1.center=[0.0, 0.0, 0.0]"});
+  EXPECT_THAT(model->remarks, Contains(HasSubstr("turn on each other about a point")));
+  EXPECT_THAT(model_of("worn_body/ball_on_block.toml")->remarks,
+              Not(Contains(HasSubstr("turn on each other"))));
 }
 
 }  // namespace
