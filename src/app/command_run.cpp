@@ -5,12 +5,14 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <gnomon/base/error.hpp>
 #include <gnomon/mesh/mesh_file.hpp>
 #include <gnomon/results/result_files.hpp>
 #include <gnomon/run/run.hpp>
 #include <gnomon/run/setup.hpp>
 #include <gnomon/run/summary.hpp>
+#include <optional>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -32,7 +34,10 @@ struct Run {
   RunOutcome outcome;
 };
 
-Run run_scene(Scene scene, const RunOptions& options, Earlier earlier, const Plan* plan = nullptr) {
+/// `make_way`: for the result, once a signal no longer ends the program.
+Run run_scene(
+    Scene scene, const RunOptions& options, Earlier earlier, const Plan* plan = nullptr,
+    const std::function<void()>& make_way = [] {}) {
   Setup setup = [&] {
     const LiveLine line(making_the_model, options.quiet);
     return set_up(std::move(scene));
@@ -45,9 +50,16 @@ Run run_scene(Scene scene, const RunOptions& options, Earlier earlier, const Pla
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
   const InterruptGuard guard(
       !options.quiet);  // before the result is created, so that it is always closed
+  make_way();
   ResultWriter writer(options.result, header, setup.model->grid, earlier);
   RunOutcome outcome = integrate(setup, settings, writer, options.quiet, nullptr, plan);
   return {std::move(setup), header, settings, std::move(outcome)};
+}
+
+/// "failed: DIAGNOSIS", "was interrupted"
+std::string ended_text(const RunOutcome& outcome) {
+  using Status = RunOutcome::Status;
+  return outcome.status == Status::interrupted ? "was interrupted" : outcome.text();
 }
 
 void print_unless(bool quiet, const std::string& text) {
@@ -73,9 +85,9 @@ public:
     std::error_code ignored;
     for (const fs::path& name : names_) fs::remove(aside(name), ignored);
   }
+  static fs::path aside(fs::path name) { return name += ".before"; }
 
 private:
-  static fs::path aside(fs::path name) { return name += ".before"; }
   static void move(const fs::path& from, const fs::path& to) {
     std::error_code ignored;
     if (fs::exists(from, ignored)) fs::rename(from, to, ignored);
@@ -114,7 +126,7 @@ private:
 
   std::string last_text(const RunOutcome& outcome) const {
     const Budget shown = budget_of_json(outcome.budget);
-    const std::string finer = finer_text(asked_, settings_, shown);
+    const std::string finer = finer_fails_ ? "" : finer_text(asked_, settings_, shown);
     return accuracy_text(asked_, shown) + (finer.empty() ? "" : "; finer would be " + finer);
   }
 
@@ -127,16 +139,20 @@ private:
     const bool met = wanted_error(asked_, shown) <= asked_.real("accuracy.within");
     print_unless(quiet_, fmt::format("{}\nonce more, {}: {}\n", accuracy_text(asked_, shown),
                                      met ? "to be sure" : "finer", change_text(settings_, *finer)));
-    PutAside before(options_.result);
+    std::optional<PutAside> before;
+    finer_fails_ = true;
     try {
-      Run next = run_scene(*finer, options_, Earlier::replaced, &plan_);
+      Run next = run_scene(*finer, options_, Earlier::replaced, &plan_,
+                           [&] { before.emplace(options_.result); });
       if (next.outcome.status == RunOutcome::Status::finished) {
-        before.drop();
+        before->drop();
         run = std::move(next);
         settings_ = *finer;
+        finer_fails_ = false;
         return true;
       }
-      print_remarks({"once more is " + next.outcome.text() + ": the result is that of before"});
+      print_remarks(
+          {"once more it " + ended_text(next.outcome) + ": the result is that of before"});
     } catch (const InputError& error) {  // of the finer mesh
       print_remarks({fmt::format("not done once more: {}", error.what())});
     }
@@ -149,6 +165,7 @@ private:
   KeptMeshes meshes_;
   Plan plan_ = planned(asked_, options_.quiet);
   Scene settings_ = plan_.scene;  ///< of the last run
+  bool finer_fails_ = false;
 };
 
 }  // namespace
@@ -160,6 +177,12 @@ int run_command(const RunOptions& given) {
     options.result = options.scene.stem().string() + "-" + scene.text("integrator.name") + ".h5";
   check_outputs(options);  // before anything that takes time
   const bool was_there = is_taken(options.result);
+  const fs::path aside = PutAside::aside(options.result);
+  if (std::error_code ignored; !options.force && fs::exists(aside, ignored))
+    throw InputError(fmt::format(
+        "{} exists, the result of a planned run that was killed while it ran once more; give it "
+        "another name, or --force to replace it",
+        aside.string()));
 
   if (!options.quiet) warn_of_slow_blas();
   const Earlier earlier = options.force ? Earlier::replaced : Earlier::refused;
