@@ -57,6 +57,7 @@ std::vector<Key> body_table_keys() {
                                            : "needed in every [[body]]";
     key.default_value.reset();
     key.name.insert(5, "#.");
+    key.controls.reset();  // the bodies have one choice together (part_keys.cpp)
     keys.push_back(std::move(key));
   }
   return keys;

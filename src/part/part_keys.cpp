@@ -109,6 +109,22 @@ std::vector<Key> own_keys() {
        .help = "wear rate of one of wear.on by its name, as wear.rate"}};
 }
 
+/// All [[body]] with small strains, where none gives a material, or all with finite ones, where all
+/// have small ones.
+std::optional<Scene> with_other_kinematics(const Scene& scene, double factor) {
+  const std::vector<Key> keys = body_table_keys();
+  Key material = *std::ranges::find(keys, "body.#.material", &Key::name);
+  Scene result = scene.knows("solver.reduce") ? scene.without("solver.reduce") : scene;
+  for (const std::string& body : scene.chosen_names("body.#.name")) {
+    material.name = "body." + body + ".material";
+    const bool given = scene.given(material.name),
+               small = given && scene.text(material.name) == "linear";
+    if (factor == 1 || (factor > 1 ? given : !small)) return {};
+    result = result.with(material, factor > 1 ? "linear" : "neo-hookean");
+  }
+  return result;
+}
+
 /// What a part does not have: its loads are an array, its counter-body moves.
 bool replaced(const std::string& key) {
   return key == "load.force" || key == "load.times" || key == "load.factors";
@@ -133,6 +149,14 @@ std::vector<Key> shared_keys() {
     }
     if (key.name == "wear.coefficient") key.range.min = 0;  // a contact analysis
     if (key.name.starts_with("body.")) key.idle = idle_beside_bodies;
+    if (key.name == "body.material") {  // of every [[body]], where there are such
+      key.idle = [](const Scene& scene) {
+        return scene.is_set("body.material") ? idle_beside_bodies(scene) : "";
+      };
+      key.controls->scaled = [of_one = key.controls->scaled](const Scene& scene, double factor) {
+        return has_bodies(scene) ? with_other_kinematics(scene, factor) : of_one(scene, factor);
+      };
+    }
     keys.push_back(std::move(key));
   }
   return keys;
