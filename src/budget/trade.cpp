@@ -47,7 +47,9 @@ double nodes_added(const Goals& coarse, const Goals& fine) {
 
 void learn_mesh(const Trial& coarse, const Trial& fine, double factor,
                 const std::vector<std::size_t>& places, Trade& trade) {
-  constexpr double cost_of_nodes = 1.2, least_cost = 0.3;  // powers of CPU time
+  // Powers of CPU time: in space factors fill in, from n^(4/3) entries to n^2 operations.
+  const double cost_of_nodes = fine.goals.surface.dim == 3 ? 1.6 : 1.2;
+  constexpr double least_cost = 0.3;
   std::vector<double> errors = mesh_differences(coarse.goals, fine.goals);
   for (double& error : errors) error /= std::exp2(usual_order) - 1;
   respect_area(fine.goals, errors);
@@ -68,7 +70,7 @@ Factors cheapest(const Trade& trade, double within) {
 Factors cheapest(const Trade& trade, double target, double least_rest) {
   const double fixed =
       trade.rest + (trade.free_mesh ? 0 : trade.mesh) + (trade.free_time ? 0 : trade.time);
-  const double rest = std::max(target - fixed, least_rest);
+  const double rest = std::max({target - fixed, least_rest, fixed / 4});
   Factors best;
   double least = std::numeric_limits<double>::infinity();
   for (const double mesh : choices(trade.free_mesh, trade.coarsest, 2))
