@@ -152,11 +152,20 @@ std::vector<State> accurate_states(const Model& model, std::span<const double> t
   std::vector<State> states;
   if (times.empty()) return states;
   State state = model.start(counters);
+  const auto require_one_epoch = [&] {
+    if (model.overdue && model.overdue(state))
+      throw SolutionError(fmt::format(
+          "at t = {:.4g} s the contact has come to other facets or boundary, of which critical "
+          "steps are not known",
+          state.t));
+  };
+  require_one_epoch();
   const auto stepper =
       Integrators::find("esdirk-4", "integrator")
           .make(model.system(), controlled_settings(model, rtol, times.back()), counters);
   for (double time : times) {
     while (state.t < time) stepper->advance(state, time);
+    require_one_epoch();
     states.push_back(state);
   }
   return states;
