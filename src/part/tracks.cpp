@@ -170,11 +170,11 @@ std::optional<Track<dim>> read_track(const Scene& scene, const Surface<dim>& sur
   if (!along)
     throw unfit_track(
         scene, surface.name,
-        fmt::format(
-            "expected a [[motion]] of \"{}\" with {}: its material passes the "
-            "contact",
-            body,
-            dim == 2 ? "a velocity in the plane, or a rotation" : "a velocity, or a rotation"));
+        fmt::format("expected a [[motion]] of \"{}\" with {}: its material passes the "
+                    "contact",
+                    body,
+                    dim == 2 ? "a velocity in the plane, none across it, or a rotation"
+                             : "a velocity, or a rotation"));
   return Track<dim>{*along, scene.real(key)};
 }
 
