@@ -6,73 +6,11 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
 
-#include "model/first_loading.hpp"
 #include "model/loads_beyond_friction.hpp"
 #include "model/near_facets.hpp"
-#include "model/wear_start.hpp"
+#include "model/path_phase.hpp"
 
 namespace gnomon {
-
-/// Of the tractions that are known where Newton's method begins, so that what slipped before begins
-/// as stuck.
-constexpr double inside = 0.99;
-
-/// The equations of one phase.
-template <int dim>
-struct PathMarch<dim>::Alone {
-  WornBodyEquations<dim> equations;
-  ComposedSystem<dim> system;
-  FieldValues<dim> values;
-  double t;
-
-  Alone(const PathMarch& march, const Phase<dim>& phase)
-      : equations(march.near_, {phase}),
-        system(equations.composition(), equations.deformation()),
-        values(*equations.composition()->fields),
-        t(march.t_) {
-    values.vector(fields().d) = march.values_.vector(march.whole_.fields().d);
-    system.freeze(values, t);
-  }
-  const WornBodyFields& fields() const { return equations.fields(); }
-  NodalField<dim> places(const FieldValues<dim>& of) const {
-    return equations.places(system, of, t);
-  }
-  void remember(const NodalField<dim>& place) {
-    values.vector(fields().memory) = place;
-    system.freeze(values, t);
-  }
-  /// Of a solution y: the places from which the next one goes on, and where it begins.
-  void go_on_from(std::span<double> y) {
-    FieldValues<dim> of = system.values(t, y);
-    remember(places(of));
-    of.vector(fields().traction) *= inside;
-    if (fields().place != FieldId::none) of.vector(fields().place) = values.vector(fields().memory);
-    system.numbering().gather(of, y);
-  }
-};
-
-/// The forces where the path begins grow to the first step of the loading, and on from step to
-/// step.
-template <int dim>
-void PathMarch<dim>::load() {
-  constexpr double increment = 0.1;
-  const Phase<dim>& begin = whole_.phases().back();
-  const std::vector<LoadingStep> steps = with_a_pressed_start(whole_.assembly().interface.loading);
-  const Phase<dim> pressed = with_parts(begin, steps.front());
-  Alone alone(*this, pressed);
-  RampOptions options = ramp_options(whole_.assembly());
-  options.first = std::min(options.first, increment);
-  options.largest = increment;
-  options.good_iterations = 12;  // of equilibria that are solved for to rounding
-  const RampReport ramp =
-      find_equilibrium(alone.equations, alone.system, options, alone.values, counters_,
-                       [&alone](std::span<double> y) { alone.go_on_from(y); });
-  if (ramp.reached < 1) throw SolutionError(failure_of(ramp, whole_.assembly(), begin));
-  keep(alone, last_);
-  for (std::size_t k = 1; k < steps.size(); ++k)
-    advance(last_,
-            [&](double part) { return with_parts(begin, between(steps[k - 1], steps[k], part)); });
-}
 
 template <int dim>
 const FieldValues<dim>& PathMarch<dim>::cycle() {
@@ -201,7 +139,7 @@ template <int dim>
 void PathMarch<dim>::start_from_last(Alone& alone) const {
   const FieldId place = alone.fields().place;
   start_from(last_, alone);
-  alone.values.vector(alone.fields().traction) *= inside;
+  alone.values.vector(alone.fields().traction) *= Alone::inside;
   if (place != FieldId::none) alone.values.vector(place) = place_;
 }
 
@@ -265,19 +203,13 @@ bool PathMarch<dim>::by_halves(Alone& target, const OnTheWay& on_the_way, std::s
   return false;
 }
 
-template <int dim>
-FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters& counters) {
-  constexpr int cycles = 2;
-  const FieldValues<dim> unworn(*equations.composition()->fields);
-  PathMarch<dim> march(equations, unworn, 0, counters);
-  march.load();
-  for (int cycle = 1; cycle < cycles; ++cycle) march.cycle();
-  return march.cycle();
-}
-
-template class PathMarch<2>;
-template class PathMarch<3>;
-template FieldValues<2> start_of_path(const WornBodyEquations<2>&, Counters&);
-template FieldValues<3> start_of_path(const WornBodyEquations<3>&, Counters&);
+template const FieldValues<2>& PathMarch<2>::cycle();
+template void PathMarch<2>::keep(const Alone&, std::size_t);
+template bool PathMarch<2>::come_near(const Phase<2>&, const NodalField<2>&, double);
+template void PathMarch<2>::advance(std::size_t, const OnTheWay&, bool);
+template const FieldValues<3>& PathMarch<3>::cycle();
+template void PathMarch<3>::keep(const Alone&, std::size_t);
+template bool PathMarch<3>::come_near(const Phase<3>&, const NodalField<3>&, double);
+template void PathMarch<3>::advance(std::size_t, const OnTheWay&, bool);
 
 }  // namespace gnomon

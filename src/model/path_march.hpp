@@ -44,6 +44,7 @@ public:
 
 private:
   struct Alone;
+  bool press(const Phase<dim>& phase, bool by_facets);
   void keep(const Alone& alone, std::size_t phase);
   void keep_near(Alone alone, std::size_t to);
   bool come_near(const Phase<dim>& at, const NodalField<dim>& u, double part);

@@ -12,7 +12,14 @@ namespace {
 
 using namespace testing;
 
-class PairCandidates : public PartScenes {};
+class PairCandidates : public PartScenes {
+protected:
+  /// The model with which a run goes on from its start, or null: the same.
+  static std::shared_ptr<const Model> after_epochs(const Model& model, const State& start) {
+    return model.overdue(start) ? model.succeed(start)->model : nullptr;
+  }
+  Counters counters_;
+};
 
 /// A stiff cap of a cylinder that does not wear sinks into a flat one over many fine facets, which
 /// it then meets beside those that it faced at first: a segment of a circle wears off.
@@ -59,9 +66,7 @@ time.end = {}
   EXPECT_LT(last("max_pressure") * 2 * a / 50, 1.1);
 }
 
-/// A support carries a pin along a plate, by five facets, before it is pressed.
-TEST_F(PairCandidates, ASupportCarriesABodyToOtherFacets) {
-  folder_.write("pin.geo", R"(Mesh.MeshSizeMin = 0.5; Mesh.MeshSizeMax = 0.5;
+constexpr const char* pin_and_plate = R"(Mesh.MeshSizeMin = 0.5; Mesh.MeshSizeMax = 0.5;
 Point(1) = {-2, 0, 0}; Point(2) = {2, 0, 0}; Point(3) = {2, 3, 0}; Point(4) = {-2, 3, 0};
 Point(11) = {-8, 0, 0}; Point(12) = {8, 0, 0}; Point(13) = {8, -3, 0}; Point(14) = {-8, -3, 0};
 Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
@@ -70,31 +75,55 @@ Curve Loop(1) = {1 : 4}; Plane Surface(1) = {1};
 Curve Loop(11) = {11 : 14}; Plane Surface(11) = {11};
 Physical Surface("pin") = {1}; Physical Surface("plate") = {11};
 Physical Curve("foot") = {1}; Physical Curve("top") = {3}; Physical Curve("base") = {13};
-)");
-  for (const std::string carried : {"0.0", "2.5"}) {
-    const auto model = this->model(R"(problem = "worn_body"
+)";
+
+/// The support of the pin's top along x is at `carried`.
+std::string on_plate(const std::string& carried, const std::string& motion) {
+  return R"(problem = "worn_body"
 mesh.file = "pin.geo"
 body = [ { name = "pin", young_modulus = 1e4, poisson_ratio = 0.3, material = "linear" },
          { name = "plate", young_modulus = 2e4, poisson_ratio = 0.3, material = "linear" } ]
-pair = [ { bodies = ["pin", "plate"] } ]
-motion = [ { body = "plate", velocity = [10.0, 0.0] } ]
 support = [ { on = "base" }, { on = "top", directions = ["x"], value = [)" +
-                                   carried + R"(] } ]
+         carried + R"(] } ]
 load = [ { on = "top", force = [0.0, -100.0] } ]
 wear = { on = "foot", coefficient = 1e-8 }
+)" + motion;
+}
+
+// By five facets, before it is pressed.
+TEST_F(PairCandidates, ASupportCarriesABodyToOtherFacets) {
+  folder_.write("pin.geo", pin_and_plate);
+  for (const std::string carried : {"0.0", "2.5"}) {
+    const auto model = this->model(on_plate(carried, R"(pair = [ { bodies = ["pin", "plate"] } ]
+motion = [ { body = "plate", velocity = [10.0, 0.0] } ]
 time.end = 1.0
-)");
-    Counters counters;
-    const State start = model->start(counters);
-    // As the run does it.
-    const auto moved = model->overdue(start) ? model->succeed(start) : std::nullopt;
-    const Model& there = moved ? *moved->model : *model;
-    EXPECT_EQ(moved.has_value(), carried != "0.0");
+)"));
+    const State start = model->start(counters_);
+    const auto present = after_epochs(*model, start);
+    EXPECT_EQ(present != nullptr, carried != "0.0");
+    const Model& there = present ? *present : *model;
     EXPECT_NEAR(*value_of(there.observe(start), "contact_force"), 100, 0.1) << carried;
     EXPECT_NEAR(*value_of(there.observe(start), "max_pressure"), 30.2, 0.2) << carried;
     EXPECT_NEAR(there.examine(start).pairs.front().force[1], 100, 1e-6) << carried;
     EXPECT_FALSE(there.examine(start).intrusion) << carried;
   }
+}
+
+// While it is pressed, so that it slides all the way, and friction still acts.
+TEST_F(PairCandidates, ASupportDragsABodyThatMaySlipToOtherFacets) {
+  folder_.write("pin.geo", pin_and_plate);
+  const auto model = this->model(
+      on_plate("2.5", R"toml(pair = [ { bodies = ["pin", "plate"], friction = 0.05, stick = true } ]
+motion = [ { body = "plate", cycle = { x = "1e-5*sin(2*pi*tau)" } } ]
+cycle = { period = 1.0, phases = 8 }
+time.cycles = 10
+)toml"));
+  const State start = model->start(counters_);
+  const auto present = after_epochs(*model, start);
+  ASSERT_TRUE(present);
+  const auto force = present->examine(start).pairs.front().force;
+  EXPECT_NEAR(std::abs(force[1]), 100, 1e-6);
+  EXPECT_NEAR(std::abs(force[0]), 5, 0.05);
 }
 
 /// A block of 3 mm on a ring of 5 mm that turns; `held` says what its top does along x.
@@ -134,13 +163,12 @@ TEST_F(PairCandidates, FrictionCarriesABodyToOtherFacets) {
   folder_.write("ring_and_block.geo", ring_and_block);
   for (const auto& [stiffness, friction] : {std::pair(5.0, 0.05), std::pair(8.0, 0.2)}) {
     const auto model = this->model(on_ring(fmt::format(", stiffness = {}", stiffness), friction));
-    Counters counters;
-    const State start = model->start(counters);
-    ASSERT_TRUE(model->overdue(start));
-    const auto moved = model->succeed(start);
-    const auto force = moved->model->examine(start).pairs.front().force;
+    const State start = model->start(counters_);
+    const auto present = after_epochs(*model, start);
+    ASSERT_TRUE(present);
+    const auto force = present->examine(start).pairs.front().force;
     EXPECT_NEAR(force[1], -100, 1e-6);
-    const double pressed = *value_of(moved->model->observe(start), "contact_force");
+    const double pressed = *value_of(present->observe(start), "contact_force");
     EXPECT_NEAR(pressed * std::hypot(1, friction) / std::hypot(force[0], force[1]), 1, 2e-3);
   }
 }
