@@ -149,10 +149,7 @@ std::vector<Key> shared_keys() {
     }
     if (key.name == "wear.coefficient") key.range.min = 0;  // a contact analysis
     if (key.name.starts_with("body.")) key.idle = idle_beside_bodies;
-    if (key.name == "body.material") {  // of every [[body]], where there are such
-      key.idle = [](const Scene& scene) {
-        return scene.is_set("body.material") ? idle_beside_bodies(scene) : "";
-      };
+    if (key.name == "body.material") {
       key.controls->scaled = [of_one = key.controls->scaled](const Scene& scene, double factor) {
         return has_bodies(scene) ? with_other_kinematics(scene, factor) : of_one(scene, factor);
       };

@@ -134,8 +134,12 @@ std::vector<std::string> Scene::chosen_names(const std::string& key) const {
 
 std::vector<Key> Scene::controlling_keys() const {
   std::vector<Key> keys;
-  for (const Entry& entry : entries_)
-    if (entry.key.controls && why_idle(*this, entry.key).empty()) keys.push_back(entry.key);
+  for (const Entry& entry : entries_) {
+    if (!entry.key.controls) continue;
+    // A model is chosen for all bodies together, also where each has a key of its own.
+    const bool is_model = entry.key.controls->source == ErrorSource::model;
+    if (is_model || why_idle(*this, entry.key).empty()) keys.push_back(entry.key);
+  }
   return keys;
 }
 
