@@ -70,7 +70,7 @@ Factors cheapest(const Trade& trade, double within) {
 Factors cheapest(const Trade& trade, double target, double least_rest) {
   const double fixed =
       trade.rest + (trade.free_mesh ? 0 : trade.mesh) + (trade.free_time ? 0 : trade.time);
-  const double rest = std::max({target - fixed, least_rest, fixed / 4});
+  const double rest = std::max(target - fixed, least_rest);
   Factors best;
   double least = std::numeric_limits<double>::infinity();
   for (const double mesh : choices(trade.free_mesh, trade.coarsest, 2))

@@ -29,8 +29,7 @@ PlanLine predicted(const Trade& trade, Factors factors);
 
 /// The cheapest factors whose error is at most half of `within`, because estimates are wrong by a
 /// factor of two. Errors that cannot be changed, as those of given settings, leave at least half of
-/// that to the others, or a quarter of their own: what they spoil is not made up for by a mesh of
-/// any cost.
+/// that to the others: what they spoil is not made up for by a mesh of any cost.
 Factors cheapest(const Trade& trade, double within);
 /// Those whose error is at most `target`; what cannot be changed leaves at least `least_rest`.
 /// Where no factors reach this: the finest mesh, and steps that suit it.

@@ -118,7 +118,7 @@ time.end = 1000.0
   const Examination facts = block->examine(run_model(*block, "esdirk-3", 0, 1e-4, 1000).last());
   const double h = 1e-7 * 40 * 100 * 1000;  // k p v t
   EXPECT_NEAR(facts.stale_weight, h / 4, 1e-3 * h / 4);
-  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("what has worn off is 0.1 of the contact")));
+  EXPECT_THAT(doubts(facts), ElementsAre(HasSubstr("what has worn off is 10 % of the contact")));
 }
 
 TEST(Doubts, BodiesThatWouldStickAreRefused) {
