@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gnomon/base/error.hpp>
 #include <gnomon/integrators/stepper.hpp>
 #include <gnomon/model/wear_model.hpp>
@@ -127,10 +128,32 @@ std::string hint_of_rotations(const Assembly<dim>& assembly) {
                      fmt::join(free, ", "));
 }
 
-/// Of a body that only contact with the counter-body holds in more than the direction of the load.
+/// Of a contact node that supports hold across the surface, where a given place of the counter-body
+/// may contradict them.
 template <int dim>
-std::string hint_of_free_motions(const Assembly<dim>& assembly) {
+std::string hint_of_held_nodes(const Assembly<dim>& assembly) {
+  constexpr double across = 0.1;
+  for (const ContactPatch<dim>& patch : assembly.contact_nodes) {
+    const Vector<dim> normal = patch.initial_normal.normalized();
+    bool gives_way = false;
+    for (int i = 0; i < dim; ++i)
+      gives_way =
+          gives_way || (std::abs(normal[i]) > across && !assembly.supports.held(patch.node, i));
+    if (!gives_way)
+      return fmt::format(
+          "; the contact node at ({:.4g}) is held across the surface, and cannot give "
+          "way to the counter-body: its [[support]] should leave it out",
+          fmt::join(assembly.mesh.nodes[static_cast<std::size_t>(patch.node)], ", "));
+  }
+  return "";
+}
+
+/// Of supports that hold too much, or too little: contact with a counter-body may hold a body in
+/// the direction of the load alone.
+template <int dim>
+std::string hint_of_start(const Assembly<dim>& assembly) {
   if (!assembly.pairs.empty()) return hint_of_rotations(assembly);
+  if (std::string held = hint_of_held_nodes(assembly); !held.empty()) return held;
   for (const RigidPart<dim>& part : rigid_parts(assembly, assembly.mesh.nodes))
     if (part.loose.cols() > 1)
       return fmt::format(
@@ -155,7 +178,7 @@ std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
   if (ramp.reached == 0)
     return fmt::format(
         "no equilibrium was found {}{} not even of a small part of the load (element {}): {}{}",
-        when, assembly.cycle ? "" : ",", technology, ramp.reason, hint_of_free_motions(assembly));
+        when, assembly.cycle ? "" : ",", technology, ramp.reason, hint_of_start(assembly));
   return fmt::format(
       "the load or approach {} is more than {}: the load ramp found equilibria up to load fraction "
       "{:.4g}, and none beyond (element {}): {}",
