@@ -78,6 +78,7 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
   const RigidPart<dim>& part = rigid[k];
   Eigen::MatrixXd held = resisted(parts, part, parts.mesh.nodes);
   constexpr double nothing = 1e-9;
+  const Eigen::MatrixXd by_supports = held;
   const Spectrum without_contact = spectrum_of(held);
   const auto loose = [](const Eigen::VectorXd& values) {
     return (values.array() <= nothing * values[modes - 1]).count();
@@ -92,9 +93,15 @@ void require_part_held(const Scene& scene, const AssemblyParts<dim>& parts,
   const auto [values, vectors] = spectrum_of(held);
   const auto free = loose(values);
   if (free == 0) {
-    // Several motions may be resisted together, as by a prism in a groove.
-    if (!parts.interface.force && loose(without_contact.values) == 1)
+    if (parts.interface.force) return;
+    // Several motions may be resisted together, as by a prism in a groove; on a counter-body that
+    // along its approach is looked at, whatever else is loose.
+    Twist<dim> approach = Twist<dim>::Zero();
+    approach.template head<dim>() = parts.interface.partner.approach;
+    if (loose(without_contact.values) == 1)
       require_pressing_loads<dim>(scene, parts, rigid, k, without_contact.vectors.col(0));
+    else if (parts.pairs.empty() && (by_supports * approach).norm() <= nothing * values[modes - 1])
+      require_pressing_loads<dim>(scene, parts, rigid, k, approach);
     return;
   }
   throw InputError(fmt::format(
