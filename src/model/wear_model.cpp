@@ -39,6 +39,8 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
   facts.proposals = assembly().proposals;
   facts.memory = assembly().memory;
   facts.phases = static_cast<long>(equations_.phases().size());
+  if (const auto& turning = assembly().interface.partner.turning; turning && !assembly().cycle)
+    facts.longest_step = turning->longest_step();
   Abilities& can = *this;
   // One pass over the contact nodes and none over the cells.
   can.wear_flux = [this](const Point& at) {

@@ -218,7 +218,7 @@ std::vector<std::string> remarks_on_speeds(const Scene& scene,
         "surfaces of wear.on, so that nothing wears");
   constexpr double many = 10;
   const double turns =
-      rest.turning && !cycle ? scene.real("time.end") / duration_of_turn(*rest.turning) : 0;
+      rest.turning && !cycle ? scene.real("time.end") / rest.turning->duration() : 0;
   if (turns > many)
     remarks.push_back(fmt::format(
         "the counter-body turns {:.3g} times in the run and changes its place, and steps follow "

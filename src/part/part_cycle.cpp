@@ -74,19 +74,18 @@ std::optional<double> largest_force(const Cycle& cycle) {
   return most;
 }
 
-/// Steps of a turn or more would see the shape at a few angles only, or at one.
 template <int dim>
 void require_steps_in_turn(const Scene& scene, const Turning<dim>& turning) {
-  constexpr double parts = 16;
-  const double longest = duration_of_turn(turning) / parts,
-               step =
-                   std::min(scene.real_if("integrator.step").value_or(0), scene.real("time.end"));
-  if (step > longest)
-    refuse(scene, "integrator.step",
-           fmt::format("at most {:.3g} s, a sixteenth of a turn of the counter-body, which changes "
-                       "its place as it turns (or [cycle] with `rotation`: the mean over turns), "
-                       "got {:g} s",
-                       longest, step));
+  for (const char* key : {"integrator.step", "integrator.max_step"}) {
+    const double step = std::min(scene.real_if(key).value_or(0), scene.real("time.end"));
+    if (step > turning.longest_step())
+      refuse(
+          scene, key,
+          fmt::format("at most {:.3g} s, a sixteenth of a turn of the counter-body, which changes "
+                      "its place as it turns (or [cycle] with `rotation`: the mean over turns), "
+                      "got {:g} s",
+                      turning.longest_step(), step));
+  }
 }
 
 template <int dim>

@@ -1,7 +1,6 @@
 // What [cycle] says for a part: its functions, and the counter-body at a position.
 #pragma once
 
-#include <cmath>
 #include <gnomon/model/cyclic_phases.hpp>
 #include <gnomon/scene/scene.hpp>
 #include <gnomon/shapes/counter_body_scene.hpp>
@@ -12,12 +11,6 @@ namespace gnomon::part {
 
 /// Positions at which a cycle is looked at before its phases are known.
 inline constexpr int samples = 64;
-
-/// How long a shape turns that does not look the same meanwhile [time].
-template <int dim>
-double duration_of_turn(const Turning<dim>& turning) {
-  return 2 * M_PI * std::sqrt(2.0) / turning.spin.norm();
-}
 
 /// Nothing without a cycle. Throws InputError where it contradicts the counter-body.
 template <int dim>

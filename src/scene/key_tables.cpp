@@ -55,8 +55,10 @@ std::vector<Key> integrator_keys() {
                    "that Newton's iterations may leave; 0: they go on to rounding, 1e-11 of "
                    "the scaled residual"),
           ErrorSource::solves)),
-      resumable(real_key("integrator.max_step", "s", absent("no bound"), duration,
-                         "longest step, when steps follow the error", steps_are_fixed)),
+      resumable(real_key(
+          "integrator.max_step", "s",
+          absent("no bound, but a sixteenth of a turn of a counter-body that changes its place"),
+          duration, "longest step, when steps follow the error", steps_are_fixed)),
       text_key("integrator.events", by_default("ignore"),
                "locate: end steps where contact nodes switch (implicit one-step methods, "
                "forward-euler and bdf)",

@@ -15,6 +15,7 @@ inline IntegratorSettings controlled_settings(const Model& model, double rtol, d
   settings.scale = model.differential_scale;
   settings.atol = rtol * settings.scale;
   settings.end = end;
+  settings.max_step = model.longest_step;
   settings.behind_jump = model.behind_jump;
   return settings;
 }

@@ -128,6 +128,8 @@ struct ModelFacts {
   std::vector<std::string> proposals{};
   double memory = 0;  ///< estimate of the peak of a run [bytes]; 0: there is none
   long phases = 1;    ///< of a cycle, at which the deformation is taken
+  /// Bound of steps that are chosen by the error, which may step over a motion [time]; 0: none.
+  double longest_step = 0;
 };
 
 /// What a model can do beyond its contract; empty is what it cannot. The functions keep a reference
@@ -140,9 +142,8 @@ struct Abilities {
   /// mean wear rate now or until now, whichever is larger; absent where nothing wears. Throws
   /// InputError or SolutionError where other phases have no deformation.
   std::function<std::optional<PhaseError>(const State&)> phase_error{};
-  /// Of a path, whose phases follow from each other: the consistent state with this worn shape and
-  /// time, found phase by phase as at the start, behind a jump that is too far for Newton's method.
-  /// Throws SolutionError.
+  /// The consistent state with this worn shape and time, found phase by phase as at the start,
+  /// behind a jump that is too far for Newton's method. Throws SolutionError.
   std::function<State(const State&)> behind_jump{};
   /// Asked after every accepted step: the model that goes on from there instead of this one, a pure
   /// function of the state, so that a result can be read again from the states at which epochs

@@ -7,6 +7,7 @@
 #include <gnomon/shapes/counter_shape.hpp>
 #include <gnomon/shapes/partner.hpp>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -77,6 +78,11 @@ struct Turning {
 
   /// The rotation from the place of the shape, exp((start + rate t) spin).
   Tensor<dim> rotation(double t) const;
+  /// Of a whole turn [time].
+  double duration() const { return 2 * std::numbers::pi * std::numbers::sqrt2 / spin.norm(); }
+  /// A sixteenth of a turn: longer ones see the shape at a few angles only, and may step over all
+  /// that it touches [time].
+  double longest_step() const { return duration() / 16; }
 };
 
 /// A way in which a rigid body moves as a whole: along a direction, or about an axis. It is given,
