@@ -102,9 +102,10 @@ std::vector<std::string> doubts(const Examination& facts) {
     found.push_back(
         fmt::format("boundary that is not in contact lies {:.3g} mm inside the {}, at {}: it "
                     "should touch there "
-                    "(wear.on), or the mesh should be finer",
+                    "({}), or the mesh should be finer",
                     facts.intrusion->depth, facts.pairs.empty() ? "counter-body" : "other body",
-                    point_text(facts.intrusion->position)));
+                    point_text(facts.intrusion->position),
+                    facts.pairs.empty() ? "wear.on" : "wear.on, pair.#.surfaces"));
   if (facts.drag && facts.drag->drag > dragged * facts.drag->stroke)
     found.push_back(fmt::format(
         "friction drags the contact by {:.3g} mm of a stroke of {:.3g} mm: for that "

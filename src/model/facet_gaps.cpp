@@ -34,7 +34,8 @@ FacetGaps facet_gaps(const std::vector<typename Mesh<dim>::Facet>& slave,
                      const std::array<double, 2>& range, Cover* cover) {
   constexpr double opposite = -0.2;  // cosine
   constexpr double none = std::numeric_limits<double>::infinity();
-  const auto [least, reach] = range;
+  const auto [least, most] = range;
+  const double reach = std::max(most, -least);
   FacetGaps gaps = {std::vector<double>(slave.size(), none),
                     std::vector<double>(master.size(), none)};
   std::vector<Vector<dim>> normals;
@@ -50,7 +51,7 @@ FacetGaps facet_gaps(const std::vector<typename Mesh<dim>::Facet>& slave,
           covered_part(pair_of<dim>(slave[s], master[m], x), section, reach);
       if (!(part.mass.sum() > 0)) continue;
       const double gap = part.gap.sum() / part.mass.sum();
-      if (gap < least) continue;
+      if (gap < least || gap > most) continue;
       if (cover) {
         cover->area += part.mass.sum();
         cover->volume += part.gap.sum();

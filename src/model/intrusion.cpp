@@ -79,30 +79,30 @@ template <int dim>
 std::optional<BoundaryPoint> find_intrusion_of_pairs(const WornBodyEquations<dim>& equations,
                                                      const FieldValues<dim>& values) {
   const Assembly<dim>& assembly = equations.assembly();
-  const double far = 0.01 * Box<dim>::around(assembly.mesh.nodes).diagonal();
+  // Facets that face away from each other are farther behind each other.
+  constexpr double many = 20, thin = 0.01;
+  const double far = std::min(many * assembly.scales.displacement,
+                              thin * Box<dim>::around(assembly.mesh.nodes).diagonal());
+  std::set<typename Mesh<dim>::Facet> meeting;  // in any pair
+  for (const MortarPair<dim>& pair : assembly.pairs)
+    for (const auto* side : {&pair.slave, &pair.master})
+      for (const auto& facet : *side) meeting.insert(sorted(facet));
   std::optional<BoundaryPoint> deepest;
   for (std::size_t p = 0; p < equations.phases().size(); ++p) {
     const WornBodyFields& fields = equations.fields(p);
     const auto x =
         in_space(assembly.pairs, equations.phases()[p].places,
                  deformed(assembly.mesh, values.vector(fields.d), values.vector(fields.u)));
-    const auto look = [&](const auto& facet, double depth) {
-      // Facets that face away from each other are farther behind each other.
-      if (depth > (x[facet[1]] - x[facet[0]]).norm()) return;
-      if (depth > (deepest ? deepest->depth : 0))
-        deepest = BoundaryPoint{point_in_space<dim>(assembly.mesh.nodes[facet[0]]), depth};
-    };
     for (const MortarPair<dim>& pair : assembly.pairs) {
+      if (pair.numbers[0] == pair.numbers[1]) continue;  // a lip may be as thin
       const FacetGaps gaps =
           facet_gaps<dim>(pair.boundary[0], pair.boundary[1], x, assembly.section(), {-far, 0});
-      for (const std::size_t side : {0, 1}) {
-        std::set<typename Mesh<dim>::Facet> meeting;
-        for (const auto& facet : side == 0 ? pair.slave : pair.master)
-          meeting.insert(sorted(facet));
+      for (const std::size_t side : {0, 1})
         for (std::size_t f = 0; f < pair.boundary[side].size(); ++f)
-          if (const auto& facet = pair.boundary[side][f]; !meeting.contains(sorted(facet)))
-            look(facet, -gaps[side][f]);
-      }
+          if (const auto& facet = pair.boundary[side][f];
+              gaps[side][f] < (deepest ? -deepest->depth : 0) && !meeting.contains(sorted(facet)))
+            deepest =
+                BoundaryPoint{point_in_space<dim>(assembly.mesh.nodes[facet[0]]), -gaps[side][f]};
     }
   }
   return deepest;

@@ -37,7 +37,8 @@ template <int dim>
 FacetGaps gaps_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x, Section section,
                   Cover* cover = nullptr) {
   const double deepest = 0.01 * Box<dim>::around(x).diagonal();
-  return facet_gaps<dim>(pair.slave, pair.master, x, section, {-deepest, pair.reach}, cover);
+  return facet_gaps<dim>(pair.slave, pair.master, x, section,
+                         {-std::min(deepest, pair.reach), pair.reach}, cover);
 }
 
 /// Mean edge of the few facets with the smallest gaps [length].
