@@ -187,7 +187,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   const auto instants = places_over_cycle(parts);
   std::vector<std::vector<Vector<dim>>> touching;  // in space; first those that nothing carries
   AssemblyParts<dim> carried = parts;
-  for (std::vector<Vector<dim>>& nodes : carried_meshes(parts)) {
+  for (std::vector<Vector<dim>>& nodes : carried_meshes(parts, scene.real("time.end"))) {
     carried.mesh.nodes = std::move(nodes);
     for (const auto& places : instants)
       touching.push_back(in_space(parts.pairs, places, RigidBalance<dim>(carried, places).x));

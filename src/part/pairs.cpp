@@ -229,7 +229,7 @@ void read_pairs(const Scene& scene, const ImportedBody<dim>& part, AssemblyParts
   const std::map<std::string, BodyCycle<dim>> motions = read_motions_of_bodies(scene, parts);
   read_cycle_of_bodies(scene, motions, parts);
   const auto instants = close_places_over_cycle(parts);
-  const auto carried = carried_meshes(parts);
+  const auto carried = carried_meshes(parts, scene.real("time.end"));
   for (const std::string& table : pair_tables(scene)) {
     const std::array<int, 2> bodies = bodies_of_pair(scene, table, parts.bodies);
     const auto [slave, master] = sides_of(scene, table, part, parts, body_of, wearing, bodies);
