@@ -72,8 +72,7 @@ void print_unless(bool quiet, const std::string& text) {
 /// one is wanted.
 class PutAside {
 public:
-  explicit PutAside(const fs::path& result)
-      : names_{result, fs::path(result).replace_extension(".xdmf")} {
+  explicit PutAside(const fs::path& result) : names_(names_of(result)) {
     for (const fs::path& name : names_) move(name, aside(name));
   }
   PutAside(const PutAside&) = delete;
@@ -85,9 +84,25 @@ public:
     std::error_code ignored;
     for (const fs::path& name : names_) fs::remove(aside(name), ignored);
   }
-  static fs::path aside(fs::path name) { return name += ".before"; }
+  /// Throws InputError where a killed program has left some, unless they may be removed.
+  static void require_none(const fs::path& result, bool may_remove) {
+    for (const fs::path& name : names_of(result)) {
+      std::error_code ignored;
+      if (may_remove)
+        fs::remove(aside(name), ignored);
+      else if (fs::exists(aside(name), ignored))
+        throw InputError(fmt::format(
+            "{} exists, of a planned run that was killed in its second run; give it another name, "
+            "or --force to remove it",
+            aside(name).string()));
+    }
+  }
 
 private:
+  static std::array<fs::path, 2> names_of(const fs::path& result) {
+    return {result, fs::path(result).replace_extension(".xdmf")};
+  }
+  static fs::path aside(fs::path name) { return name += ".before"; }
   static void move(const fs::path& from, const fs::path& to) {
     std::error_code ignored;
     if (fs::exists(from, ignored)) fs::rename(from, to, ignored);
@@ -177,12 +192,7 @@ int run_command(const RunOptions& given) {
     options.result = options.scene.stem().string() + "-" + scene.text("integrator.name") + ".h5";
   check_outputs(options);  // before anything that takes time
   const bool was_there = is_taken(options.result);
-  const fs::path aside = PutAside::aside(options.result);
-  if (std::error_code ignored; !options.force && fs::exists(aside, ignored))
-    throw InputError(fmt::format(
-        "{} exists, the result of a planned run that was killed while it ran once more; give it "
-        "another name, or --force to replace it",
-        aside.string()));
+  if (scene.has("accuracy.within")) PutAside::require_none(options.result, options.force);
 
   if (!options.quiet) warn_of_slow_blas();
   const Earlier earlier = options.force ? Earlier::replaced : Earlier::refused;
