@@ -109,19 +109,23 @@ std::vector<Key> own_keys() {
        .help = "wear rate of one of wear.on by its name, as wear.rate"}};
 }
 
-/// All [[body]] with small strains, where none gives a material, or all with finite ones, where all
-/// have small ones.
+/// All [[body]] with small strains, where none gives a material, or those that have them with
+/// finite ones.
 std::optional<Scene> with_other_kinematics(const Scene& scene, double factor) {
   const std::vector<Key> keys = body_table_keys();
   Key material = *std::ranges::find(keys, "body.#.material", &Key::name);
   Scene result = scene.knows("solver.reduce") ? scene.without("solver.reduce") : scene;
-  for (const std::string& body : scene.chosen_names("body.#.name")) {
+  bool changed = false;
+  for (const std::string& body : scene.chosen_names("body.#.young_modulus")) {
     material.name = "body." + body + ".material";
     const bool given = scene.given(material.name),
                small = given && scene.text(material.name) == "linear";
-    if (factor == 1 || (factor > 1 ? given : !small)) return {};
-    result = result.with(material, factor > 1 ? "linear" : "neo-hookean");
+    if (factor > 1 && given) return {};
+    if (factor == 1 || (factor < 1 && !small)) continue;
+    result = factor > 1 ? result.with(material, "linear") : result.without(material.name);
+    changed = true;
   }
+  if (!changed) return {};
   return result;
 }
 

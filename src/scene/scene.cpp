@@ -136,7 +136,7 @@ std::vector<Key> Scene::controlling_keys() const {
   std::vector<Key> keys;
   for (const Entry& entry : entries_) {
     if (!entry.key.controls) continue;
-    // A model is chosen for all bodies together, also where each has a key of its own.
+    // Whether a choice of model applies, it says itself: it may change other keys.
     const bool is_model = entry.key.controls->source == ErrorSource::model;
     if (is_model || why_idle(*this, entry.key).empty()) keys.push_back(entry.key);
   }
