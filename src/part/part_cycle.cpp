@@ -74,18 +74,17 @@ std::optional<double> largest_force(const Cycle& cycle) {
   return most;
 }
 
+/// Steps by the error are as short by themselves (ModelFacts::longest_step).
 template <int dim>
 void require_steps_in_turn(const Scene& scene, const Turning<dim>& turning) {
-  for (const char* key : {"integrator.step", "integrator.max_step"}) {
-    const double step = std::min(scene.real_if(key).value_or(0), scene.real("time.end"));
-    if (step > turning.longest_step())
-      refuse(
-          scene, key,
-          fmt::format("at most {:.3g} s, a sixteenth of a turn of the counter-body, which changes "
-                      "its place as it turns (or [cycle] with `rotation`: the mean over turns), "
-                      "got {:g} s",
-                      turning.longest_step(), step));
-  }
+  const char* key = "integrator.step";
+  const double step = std::min(scene.real_if(key).value_or(0), scene.real("time.end"));
+  if (step > turning.longest_step())
+    refuse(scene, key,
+           fmt::format("at most {:.3g} s, a sixteenth of a turn of the counter-body, which changes "
+                       "its place as it turns (or [cycle] with `rotation`: the mean over turns), "
+                       "got {:g} s",
+                       turning.longest_step(), step));
 }
 
 template <int dim>

@@ -163,7 +163,8 @@ IntegratorSettings integrator_settings(const Scene& scene, const Model& model) {
   settings.step = scene.real_if("integrator.step").value_or(0.0);
   settings.atol = scene.real_if("integrator.atol").value_or(settings.atol);
   settings.nonlinear_fraction = scene.real("integrator.nonlinear_fraction");
-  settings.max_step = scene.real_if("integrator.max_step").value_or(settings.max_step);
+  if (const auto given = scene.real_if("integrator.max_step"))
+    settings.max_step = settings.max_step > 0 ? std::min(*given, settings.max_step) : *given;
   settings.locate_events = scene.text("integrator.events") == "locate";
   settings.stop_unstable = scene.text("integrator.unstable") == "stop";
   const Integrator& integrator = chosen_integrator(scene);

@@ -29,7 +29,7 @@ mesh.file = "block.geo"
 body = { young_modulus = 1000, poisson_ratio = 0.3, material = "linear" }
 support = [ { on = "bottom" } ]
 wear = { on = "top", coefficient = 1e-5 }
-time.end = 20
+time.end = 4
 [counter_body]
 shape = "cylinder"
 radius = 5
@@ -39,15 +39,16 @@ press = { direction = [0, -1], approach = -0.035 }
          more;
 }
 
-// Against the mean over the turn, which is another model; before, they stepped over all contact.
+// Against the mean over the turn, which is another model; an error estimate alone steps over all
+// contact.
 TEST_F(TurningCounterBody, StepsDoNotPassOverItsContact) {
   folder_.write("block.geo", block);
   const auto worn = [&](const std::string& scene, const char* integrator) {
     const auto model = this->model(scene);
     const RunOutcome end = run(*model, Integrators::find(integrator, "integrator"),
-                               controlled_settings(*model, 1e-4, 20), {}, nullptr, {});
+                               controlled_settings(*model, 1e-4, 4), {}, nullptr, {});
     EXPECT_EQ(end.status, RunOutcome::Status::finished) << end.diagnosis;
-    return value_of(end.last->scalars, "worn_volume").value();
+    return end.last ? value_of(end.last->scalars, "worn_volume").value() : 0;
   };
   const double mean = worn(cam("motion = { center = [0.0, 4.98] }\n",
                                "[cycle]\nperiod = 2\nphases = 128\nrotation = \"2*pi*tau\"\n"),
@@ -58,13 +59,12 @@ TEST_F(TurningCounterBody, StepsDoNotPassOverItsContact) {
     EXPECT_NEAR(worn(turns, integrator) / mean, 1, 0.03) << integrator;
 }
 
-TEST_F(TurningCounterBody, StepsByTheUserAreThatShort) {
+TEST_F(TurningCounterBody, FixedStepsAreThatShort) {
   folder_.write("block.geo", block);
   const std::string turns =
       cam("motion = { center = [0.0, 4.98], rotation = 3.141592653589793 }\n", "");
-  for (const std::string key : {"integrator.step", "integrator.max_step"})
-    EXPECT_THAT(refusal(turns, {key + "=0.2"}),
-                ::testing::HasSubstr(key + ": expected at most 0.125 s"));
+  EXPECT_THAT(refusal(turns, {"integrator.step=0.2"}),
+              ::testing::HasSubstr("integrator.step: expected at most 0.125 s"));
 }
 
 }  // namespace
