@@ -41,7 +41,9 @@ void tell_of_edges(AssemblyParts<dim>& parts) {
 
 template <int dim>
 void tell_of_turning(AssemblyParts<dim>& parts) {
-  if (dim == 2 || parts.interface.sticks || parts.interface.rolling) return;
+  if (dim == 2 || parts.interface.sticks || parts.interface.rolling ||
+      std::ranges::none_of(parts.interface.surfaces, &Surface<dim>::wears))
+    return;
   for (const MortarPair<dim>& pair : parts.pairs) {
     const auto is_turned_about = [&](const ContactPatch<dim>& patch) {
       return pair.motion.at(patch.initial_position).squaredNorm() <
