@@ -5,7 +5,8 @@
 
 namespace gnomon {
 
-/// Of paths two cycles, as at the start: in the first one bodies leave what they remember.
+/// As at the start, at the shape that is worn; of paths after a first cycle, in which bodies leave
+/// what they remember.
 template <int dim>
 State WearModel<dim>::behind_jump(const State& state) const {
   Counters counters;
@@ -21,7 +22,8 @@ State WearModel<dim>::behind_jump(const State& state) const {
                                                    : equilibrium(before, state.t, counters));
   // Their facets would have to be found anew within a step.
   if (!assembly().pairs.empty() && have_moved(positions(behind), 1))
-    throw SolutionError("bodies slide on each other by facets; a ramp in time instead is followed");
+    throw SolutionError(
+        "bodies slide on each other by more than a facet; a ramp in time is followed");
   return behind;
 }
 

@@ -58,15 +58,14 @@ RampReport ramp_load(const LoadSolve& solve, const RampOptions& options, std::ve
     const double target = target_of(path.reached(), std::min(increment, options.largest));
     const double size = target - path.reached();
     path.predict(target, y);
-    NewtonReport newton = solve(target, y);
-    if (newton.converged && options.strays && options.strays(y, 1)) {
-      newton.converged = false;
-      newton.reason = "bodies of a pair slide too far on each other";
-    }
+    const NewtonReport newton = solve(target, y);
     if (newton.converged) {
       path.append(target, y);
       ++report.increments;
-      if (options.strays && path.reached() < 1 && options.strays(path.last(), 0.5)) break;
+      if (options.strays && path.reached() < 1 && options.strays(path.last(), 0.5)) {
+        report.reason = "bodies of a pair have come to other facets";
+        break;
+      }
       increment = std::max(options.smallest, size * growth(newton.iterations, options));
       continue;
     }

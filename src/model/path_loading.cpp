@@ -33,19 +33,21 @@ bool PathMarch<dim>::press(const Phase<dim>& phase, bool by_facets) {
              have_strayed(*near_, phase,
                           deformed(near_->mesh, of.vector(fields.d), of.vector(fields.u)), part);
     };
+    RampOptions here = options;
     if (by_facets)
-      options.strays = [&](std::span<const double> y, double part) {
+      here.strays = [&](std::span<const double> y, double part) {
         return strays(alone.system.values(t_, y), part);
       };
     const RampReport ramp =
-        find_equilibrium(alone.equations, alone.system, options, alone.values, counters_,
+        find_equilibrium(alone.equations, alone.system, here, alone.values, counters_,
                          [&alone](std::span<double> y) { alone.go_on_from(y); });
     if (ramp.reached == 1 && !strays(alone.values, 1)) {
       keep(alone, last_);
       return true;
     }
     if (!by_facets && !near_->pairs.empty()) return false;
-    if (!by_facets || ramp.increments == 0)
+    options.most -= ramp.increments + ramp.failures;
+    if (!by_facets || ramp.increments == 0 || options.most <= 0)
       throw SolutionError(failure_of(ramp, whole_.assembly(), phase));
     options.begin = ramp.reached;
     on_the_way = alone.values;

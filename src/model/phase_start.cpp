@@ -59,6 +59,7 @@ bool PhaseStart<dim>::settles(Body body) {
     NewtonSolver newton(contact.structure(), counters_, {.max_iterations = 30});
     if (!newton.solve(algebraic_function(contact), y).converged) return false;
     contact.numbering().scatter(y, values_);
+    if (flies_away(near, values_)) return false;
     if (!have_strayed(*body, phase(), positions(values_), 1)) return true;
   }
   return false;
@@ -76,7 +77,8 @@ RampReport PhaseStart<dim>::ramp_by_facets(Body body) {
       return have_strayed(*body, phase(), positions(contact.values(t_, y)), part);
     };
     const RampReport report = find_equilibrium(near, contact, options, values_, counters_);
-    if (report.reached == 1 || report.increments == 0) return report;
+    options.most -= report.increments + report.failures;
+    if (report.reached == 1 || report.increments == 0 || options.most <= 0) return report;
     options.begin = report.reached;
     body = with_facets_near(*body, phase(), positions(values_));
   }

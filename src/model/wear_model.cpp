@@ -47,7 +47,9 @@ WearModel<dim>::WearModel(WornBodyEquations<dim> equations)
     return wear_flux_of(contacts(system().values(at.t, at.y), at), assembly().copies);
   };
   if (assembly().cycle) can.phase_error = [this](const State& state) { return phase_error(state); };
-  can.behind_jump = [this](const State& state) { return behind_jump(state); };
+  // Creepages are found at the start alone.
+  if (assembly().interface.sticks || equations_.without_creepage() == equations_.deformation())
+    can.behind_jump = [this](const State& state) { return behind_jump(state); };
   if (assembly().interface.reach > 0) {
     others_.emplace(assembly());
     can.succeed = [this](const State& state) { return succeed(state); };

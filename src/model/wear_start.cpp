@@ -29,7 +29,8 @@ constexpr int max_iterations = 15;
 /// Tolerance of equilibria on the way to the whole load, relative to the first load that is tried.
 constexpr double rough_tolerance = 1e-3;
 
-/// Whether a body is far from where the mesh is, as no load moves it that has a partner.
+}  // namespace
+
 template <int dim>
 bool flies_away(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values) {
   constexpr double far = 10;
@@ -38,8 +39,6 @@ bool flies_away(const WornBodyEquations<dim>& equations, const FieldValues<dim>&
     if (values.vector(equations.fields(p).u).cwiseAbs().maxCoeff() > far * size) return true;
   return false;
 }
-
-}  // namespace
 
 template <int dim>
 RampOptions ramp_options(const Assembly<dim>& body) {
@@ -102,6 +101,10 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
       report.converged = false;  // a rough residual of rounding errors
       report.reason = "an iterate has opened the contact that holds a body";
     }
+    if (report.converged && options.strays && options.strays(y, 1)) {
+      report.converged = false;
+      report.reason = "bodies of a pair slide too far on each other";
+    }
     loaded = loaded || report.converged;
     if (report.converged && passed) passed(y);
     return report;
@@ -133,6 +136,7 @@ std::string hint_of_rotations(const Assembly<dim>& assembly) {
 template <int dim>
 std::string hint_of_held_nodes(const Assembly<dim>& assembly) {
   constexpr double across = 0.1;
+  if (assembly.interface.force) return "";
   for (const ContactPatch<dim>& patch : assembly.contact_nodes) {
     const Vector<dim> normal = patch.initial_normal.normalized();
     bool gives_way = false;
@@ -153,14 +157,14 @@ std::string hint_of_held_nodes(const Assembly<dim>& assembly) {
 template <int dim>
 std::string hint_of_start(const Assembly<dim>& assembly) {
   if (!assembly.pairs.empty()) return hint_of_rotations(assembly);
-  if (std::string held = hint_of_held_nodes(assembly); !held.empty()) return held;
+  std::string hint = hint_of_held_nodes(assembly);
   for (const RigidPart<dim>& part : rigid_parts(assembly, assembly.mesh.nodes))
     if (part.loose.cols() > 1)
-      return fmt::format(
+      hint += fmt::format(
           "; supports leave the body free to {}, and contact with a counter-body may not hold it: "
           "hold it in [[support]], or make the counter-body one of a [[pair]], whose rest is found",
           free_motions_of(part, assembly.section()));
-  return "";
+  return hint;
 }
 
 }  // namespace
@@ -233,10 +237,12 @@ FieldValues<dim> WearModel<dim>::equilibrium(const FieldValues<dim>& shape, doub
         only ? equations_ : WornBodyEquations<dim>(equations_.shared_assembly(), {phase});
     PhaseStart<dim> start(alone, shape.vector(equations_.fields().d), t, counters);
     if (const RampReport ramp = start.find(); ramp.reached < 1)
-      throw SolutionError(t > 0 ? ramp.reason : failure_of(ramp, assembly(), phase));
+      throw SolutionError(t == 0 ? failure_of(ramp, assembly(), phase)
+                          : only ? ramp.reason
+                                 : fmt::format("at tau = {:.4g} {}", phase.position, ramp.reason));
     if (alone.without_creepage() != alone.deformation())
       find_creepage(alone, start.values(), counters);
-    require_touch<dim>(assembly(), start.values(), alone.fields(), phase);
+    if (t == 0) require_touch<dim>(assembly(), start.values(), alone.fields(), phase);
     copy_phase(start.values(), alone.fields(), values, equations_.fields(p));
   }
   return values;
@@ -267,6 +273,8 @@ State WearModel<dim>::at_rest(double t, const FieldValues<dim>& values) const {
   return state;
 }
 
+template bool flies_away(const WornBodyEquations<2>&, const FieldValues<2>&);
+template bool flies_away(const WornBodyEquations<3>&, const FieldValues<3>&);
 template RampOptions ramp_options(const Assembly<2>&);
 template RampOptions ramp_options(const Assembly<3>&);
 template RampReport find_equilibrium(const WornBodyEquations<2>&, ComposedSystem<2>&,

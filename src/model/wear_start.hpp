@@ -62,6 +62,10 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
                             Counters& counters,
                             const std::function<void(std::span<double> y)>& passed = {});
 
+/// Whether a body is far from where the mesh is, as no load moves it that has a partner.
+template <int dim>
+bool flies_away(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values);
+
 /// Why there is no equilibrium in a phase, for the user.
 template <int dim>
 std::string failure_of(const RampReport& ramp, const Assembly<dim>& assembly,
