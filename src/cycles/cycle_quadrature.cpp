@@ -71,6 +71,9 @@ std::vector<int> share(int count, const std::vector<double>& lengths) {
   return points;
 }
 
+/// Of points that are compared with others: far from all simple fractions.
+constexpr double golden_section = 0.381966011250105;
+
 std::vector<CyclePoint> equal_points(int count, double shift) {
   std::vector<CyclePoint> points;
   for (int p = 0; p < count; ++p) points.push_back({(p + shift) / count, 1.0 / count});
@@ -95,12 +98,13 @@ std::vector<double> distances(const std::vector<double>& positions) {
   return lengths;
 }
 
-std::vector<CyclePoint> points_between(int count, const std::vector<double>& kinks) {
+/// `times` as many as the part of each of `count` points.
+std::vector<CyclePoint> points_between(int count, const std::vector<double>& kinks, int times) {
   const std::vector<double> lengths = distances(kinks);
   const std::vector<int> shares = share(count, lengths);
   std::vector<CyclePoint> points;
   for (std::size_t k = 0; k < kinks.size(); ++k)
-    add_part(kinks[k], lengths[k], gauss_points(shares[k]), points);
+    add_part(kinks[k], lengths[k], gauss_points(times * shares[k]), points);
   std::ranges::sort(points, {}, &CyclePoint::position);
   return points;
 }
@@ -147,9 +151,10 @@ CycleQuadrature::CycleQuadrature(std::vector<double> positions, std::vector<doub
     : positions_(std::move(positions)), kinks_(std::move(kinks)) {}
 
 std::vector<CyclePoint> CycleQuadrature::points() const {
-  if (count_ > 0)
-    return kinks_.empty() || stands_for_intervals() ? equal_points(count_, shift_)
-                                                    : points_between(count_, kinks_);
+  if (count_ > 0 && (kinks_.empty() || stands_for_intervals())) return equal_points(count_, shift_);
+  // What is compared has twice the points of each part: else a short one would keep its only one.
+  const int times = shift_ == golden_section ? 2 : 1;
+  if (count_ > 0) return points_between(count_ / times, kinks_, times);
   std::vector<CyclePoint> points;
   const std::vector<double> behind = distances(positions_);
   for (std::size_t p = 0; p < positions_.size(); ++p) {
@@ -190,7 +195,6 @@ CycleQuadrature CycleQuadrature::refined(int times) const {
 CycleQuadrature CycleQuadrature::comparison() const {
   if (count_ == 0) return refined(2);
   constexpr int most_by_parts = 256;
-  constexpr double golden_section = 0.381966011250105;  // far from all simple fractions
   CycleQuadrature result = *this;
   result.count_ = std::max(2 * count_, std::min(2 * parts(), most_by_parts));
   result.shift_ = golden_section;

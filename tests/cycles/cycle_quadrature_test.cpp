@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gnomon/cycles/cycle_quadrature.hpp>
 
@@ -136,6 +137,19 @@ TEST(CycleQuadrature, FinePointsAreExactBetweenKinks) {
   const auto jump = [](double tau) { return tau < 0.3 || tau > 0.612345 ? 1.0 : 5.0; };
   EXPECT_NEAR(mean(CycleQuadrature(2, {0.3, 0.612345}).fine_points(), jump), 1 + 4 * 0.312345,
               1e-13);
+}
+
+// A function that bends inside of a short part, where one point takes it for straight.
+TEST(CycleQuadrature, IsComparedWithTwiceThePointsOfEachPart) {
+  const CycleQuadrature quadrature(8, {0, 0.4, 0.45, 0.5});
+  const auto within = [](const std::vector<CyclePoint>& points) {
+    return std::ranges::count_if(points, [](const CyclePoint& point) {
+      return 0.4 < point.position && point.position < 0.45;
+    });
+  };
+  EXPECT_EQ(within(quadrature.points()), 1);
+  EXPECT_EQ(within(quadrature.comparison().points()), 2);
+  EXPECT_EQ(quadrature.comparison().points().size(), 16u);
 }
 
 }  // namespace
