@@ -196,6 +196,29 @@ TEST_F(Bodies, GroupsOfOneMaterialAreRemarked) {
               ::testing::Contains(::testing::HasSubstr("\"coating\", \"substrate\" are one body")));
 }
 
+// Finite strains of those that have small ones; small ones of all, where none gives a material.
+TEST_F(Bodies, HaveOneChoiceOfSmallStrains) {
+  const Scene linear =
+      load_scene(folder_.write("scene.toml", scene("plane.geo", "approach = [1e-3]", 2e4, 2e3)), {},
+                 key_table);
+  const std::vector<Key> keys = linear.controlling_keys();
+  const auto material = std::ranges::find(keys, "body.material", &Key::name);
+  ASSERT_NE(material, keys.end());
+  const auto scaled = material->controls->scaled;
+  EXPECT_FALSE(scaled(linear, 2));
+  const auto large = scaled(linear, 0.5);
+  ASSERT_TRUE(large);
+  EXPECT_FALSE(large->given("body.1.material") || large->given("body.2.material"));
+  EXPECT_FALSE(scaled(*large, 0.5));
+  const auto small = scaled(*large, 2);
+  ASSERT_TRUE(small);
+  EXPECT_EQ(small->text("body.1.material"), "linear");
+  EXPECT_EQ(small->text("body.2.material"), "linear");
+  const Scene one = small->without("body.2.material");
+  EXPECT_FALSE(scaled(one, 2));
+  EXPECT_FALSE(scaled(one, 0.5)->given("body.1.material"));
+}
+
 // So that it can be resumed.
 TEST_F(Bodies, AreMadeAgainFromTheirScene) {
   const Scene scene_of =

@@ -174,7 +174,6 @@ TEST_F(ResultChecks, ALoadOnAHeldFaceIsNamed) {
   EXPECT_NEAR(force(facts, "loads")[1], 2 * 0.8, 1e-9);
 }
 
-// On springs so soft that friction moves the flat by more than the stroke.
 // Only its load keeps a flat that slides along its sides on the counter-body.
 TEST_F(ResultChecks, LoadsThatCeaseToPressAreRefused) {
   folder_.write("flat.geo", flat_geometry(6) + "Physical Curve(\"sides\") = {2, 4};\n");
@@ -187,6 +186,14 @@ TEST_F(ResultChecks, LoadsThatCeaseToPressAreRefused) {
   EXPECT_THAT(refusal(pressed("times = [0.0, 50.0], factors = [1.0, 0.0]")),
               HasSubstr("none presses them at t = 50 s"));
   EXPECT_THAT(refusal(pressed("times = [0.0, 50.0, 50.0], factors = [1.0, -1.0, 1.0]")),
+              HasSubstr("they pull them apart at t = 50 s"));
+  // It may also turn.
+  const auto turns = [&](const std::string& history) {
+    return loaded("on = \"bottom\", directions = [\"x\"]",
+                  "on = \"bottom\", force = [0.0, 18.5], " + history);
+  };
+  EXPECT_NO_THROW(this->model(turns("times = [0.0, 50.0], factors = [1.0, 0.5]")));
+  EXPECT_THAT(refusal(turns("times = [0.0, 50.0, 100.0], factors = [1.0, -1.0, 1.0]")),
               HasSubstr("they pull them apart at t = 50 s"));
 }
 
@@ -203,6 +210,7 @@ TEST_F(ResultChecks, TheTorqueOfALoadPresses) {
   EXPECT_THAT(refusal(pulled("[5.0, 0.1]")), HasSubstr("they pull them apart at t = 0 s"));
 }
 
+// On springs so soft that friction moves the flat by more than the stroke.
 TEST_F(ResultChecks, AFlatThatWouldStickIsRefused) {
   std::string soft = text(stroke);
   const std::string rigid = "support = [ { on = \"bottom\" } ]";
