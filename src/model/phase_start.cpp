@@ -76,7 +76,7 @@ RampReport PhaseStart<dim>::ramp_by_facets(Body body) {
     options.strays = [&](std::span<const double> y, double part) {
       return have_strayed(*body, phase(), positions(contact.values(t_, y)), part);
     };
-    const RampReport report = find_equilibrium(near, contact, options, values_, counters_);
+    RampReport report = find_equilibrium(near, contact, options, values_, counters_);
     options.most -= report.increments + report.failures;
     if (report.reached == 1 || report.increments == 0 || options.most <= 0) return report;
     options.begin = report.reached;
@@ -107,12 +107,12 @@ bool PhaseStart<dim>::friction_grows() {
 template <int dim>
 RampReport PhaseStart<dim>::find() {
   const Assembly<dim>& body = alone_.assembly();
-  const RampReport at_once = ramp(alone_, ramp_options(body));
+  RampReport at_once = ramp(alone_, ramp_options(body));
   if (body.pairs.empty()) return at_once;
   if (at_once.reached == 1 &&
       (!have_strayed(body, phase(), positions(values_), 1) || settles(alone_.shared_assembly())))
     return at_once;
-  const RampReport by_facets = ramp_by_facets(alone_.shared_assembly());
+  RampReport by_facets = ramp_by_facets(alone_.shared_assembly());
   const bool rubs =
       std::ranges::any_of(body.pairs, [](const auto& pair) { return pair.friction > 0; });
   if (by_facets.reached < 1 && rubs && friction_grows()) return {.reached = 1};
