@@ -37,11 +37,10 @@ void PhaseStart<dim>::lift() {
 }
 
 template <int dim>
-RampReport PhaseStart<dim>::ramp(const WornBodyEquations<dim>& equations,
-                                 const RampOptions& options) {
-  ComposedSystem<dim> contact(equations.composition(), equations.without_creepage());
+RampReport PhaseStart<dim>::ramp() {
+  ComposedSystem<dim> contact(alone_.composition(), alone_.without_creepage());
   contact.freeze(values_, t_);
-  return find_equilibrium(equations, contact, options, values_, counters_);
+  return find_equilibrium(alone_, contact, ramp_options(alone_.assembly()), values_, counters_);
 }
 
 /// With the facets that bodies have come to, again and again, by Newton's method alone. Whether
@@ -107,7 +106,7 @@ bool PhaseStart<dim>::friction_grows() {
 template <int dim>
 RampReport PhaseStart<dim>::find() {
   const Assembly<dim>& body = alone_.assembly();
-  RampReport at_once = ramp(alone_, ramp_options(body));
+  RampReport at_once = ramp();
   if (body.pairs.empty()) return at_once;
   if (at_once.reached == 1 &&
       (!have_strayed(body, phase(), positions(values_), 1) || settles(alone_.shared_assembly())))

@@ -30,7 +30,7 @@ private:
   const Phase<dim>& phase() const { return alone_.phases().front(); }
   std::vector<Vector<dim>> positions(const FieldValues<dim>& of) const;
   void lift();
-  RampReport ramp(const WornBodyEquations<dim>& equations, const RampOptions& options);
+  RampReport ramp();
   bool settles(Body body);
   RampReport ramp_by_facets(Body body);
   bool friction_grows();
