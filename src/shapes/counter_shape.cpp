@@ -33,7 +33,7 @@ SignedDistance<dim> CounterShape<dim>::at(const Vector<dim>& x) const {
 /// room.
 template <int dim>
 double CounterShape<dim>::start(const Vector<dim>& x, const Vector<dim>& approach) const {
-  constexpr int most_doublings = 60, samples = 256;
+  constexpr int most_doublings = 30, samples = 256;  // farther away sides are rounding errors
   const double size = reach_ + x.norm();
   const auto gap = [&](double w) { return distance_(x - w * approach).gap; };
   double w = -2 * size;

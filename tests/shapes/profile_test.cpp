@@ -85,5 +85,14 @@ TEST(Profile, HasNoNormalOnItsMedialAxis) {
   EXPECT_NEAR(tip.gap, 0.1, 1e-12);
 }
 
+TEST(Profile, IsABoreThatAShaftMeetsFromWithin) {
+  std::vector<Vector<2>> points;
+  for (int k = 0; k < 72; ++k)
+    points.emplace_back(10 * std::cos(M_PI * k / 36), 10 * std::sin(M_PI * k / 36));
+  const CounterShape<2> bore = profile(SplineCurve(points, true).reversed());
+  EXPECT_NEAR(bore.travel_to({0, -9.95}, {0, 1}), 0.05, 1e-5);
+  EXPECT_NEAR(bore.travel_to({3, 0}, {-1, 0}), 7, 1e-5);
+}
+
 }  // namespace
 }  // namespace gnomon::profile_test
