@@ -43,19 +43,20 @@ bool meets_none(const Normals<dim>& normals, const Guide<dim>& guide) {
          });
 }
 
-/// Forces first, of them those that are not zero, those that press straight on the surface before
-/// oblique ones, and those that swing after others, then what is given, then what is held; before
-/// all that lies along the surface.
+/// Forces first, of them those that press straight on the surface before oblique ones, and those
+/// that swing after others, then what is given, then what no force holds back, then what is held;
+/// before all that lies along the surface.
 template <int dim>
 void sort(const Scene& scene, const Vector<dim>& outward, std::vector<Guide<dim>>& guides) {
   const auto rank = [&](const Guide<dim>& guide) {
     return std::tuple(lies_along(outward, guide),
-                      guide.turns()  ? 1
-                      : guide.force  ? 0
-                      : guide.travel ? 2
-                                     : 3,
-                      guide.force == 0.0, is_oblique(outward, guide),
-                      scene.given(guide.key + ".cycle"), -guide.force.value_or(0));
+                      guide.turns()        ? 1
+                      : guide.force == 0.0 ? 3
+                      : guide.force        ? 0
+                      : guide.travel       ? 2
+                                           : 4,
+                      is_oblique(outward, guide), scene.given(guide.key + ".cycle"),
+                      -guide.force.value_or(0));
   };
   std::ranges::stable_sort(guides, {}, rank);
 }

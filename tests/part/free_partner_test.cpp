@@ -86,6 +86,17 @@ TEST_F(FreePartner, AShaftRollsUpItsBore) {
               1e-7);
 }
 
+TEST_F(FreePartner, AShaftRollsUpItsBoreBesideAGivenApproach) {
+  const std::string moved = entry("direction = [0.0, -1.0]\napproach = 0.06");
+  for (const std::string& presses : {moved + aside, aside + moved}) {
+    const auto shaft = journal(presses);
+    const State rolled = start_of(*shaft);
+    EXPECT_NEAR(observed(*shaft, rolled, "guide_x"), 0, 1e-6);
+    EXPECT_LT(observed(*shaft, rolled, "guide_y"), -1);
+    EXPECT_NEAR(std::abs(middle(*shaft, rolled)), std::atan(0.3), 0.01);
+  }
+}
+
 TEST_F(FreePartner, AShaftLargerThanItsBoreIsNamed) {
   const auto doubts_of = [this](const Overrides& overrides) {
     const auto model = journal(down + aside, overrides);
