@@ -72,7 +72,7 @@ std::string name_and_status(const std::filesystem::path& file, const ResultReade
 
 /// As texts: numbers, or why there are none.
 struct ResultError {
-  std::string shape;     ///< the paper's error [length]; "other time"
+  std::string shape;     ///< the paper's error [length]; "other time", "other dimension"
   std::string pressure;  ///< largest difference of a nodal contact pressure [stress]; "-" for none
 };
 
@@ -95,6 +95,7 @@ ResultError error_of(const std::filesystem::path& file, const ResultReader& resu
   if (result.stored_times().empty()) return {"nothing stored", "-"};
   const ContactSurface surface = result.contact(std::nullopt);
   if (!same_time(result.stored_times().back(), reference.time)) return {"other time", "-"};
+  if (surface.dim != reference.surface.dim) return {"other dimension", "-"};
   return {fmt::format("{:.3e}", shape_error(surface, reference.surface)),
           fmt::format("{:.3e}", pressure_error(surface, reference.surface))};
 }

@@ -181,6 +181,19 @@ TEST_F(Program, CompareNamesTheKeysThatDiffer) {
               HasSubstr("note: the scenes differ in load.force\n"));
 }
 
+TEST_F(Program, CompareGivesNoErrorBetweenPlaneAndSpace) {
+  ASSERT_EQ(run({"--quiet", "-o", "plane.h5", "--set", "integrator.step=50"}).exit_code, 0);
+  const std::string groove =
+      GNOMON_SOURCE_DIR "/problems/ball_on_half_space/small_deformation.toml";
+  ASSERT_EQ(gnomon({"run", groove, "--quiet", "-o", "space.h5", "--set", "mesh.elements=[4, 8, 3]",
+                    "--set", "mesh.size=[0.2, 0.1, 0.1]", "--set", "mesh.fine=[0, 0, 0]", "--set",
+                    "time.end=100", "--set", "output.times=[]"})
+                .exit_code,
+            0);
+  EXPECT_THAT(gnomon({"compare", "plane.h5", "space.h5"}).out,
+              testing::ContainsRegex("other dimension +-  plane.h5"));
+}
+
 TEST_F(Program, CompareSaysOnceThatASceneCannotBeRead) {
   ASSERT_EQ(run({"--quiet", "-o", "a.h5", "--set", "integrator.step=50"}).exit_code, 0);
   std::string bytes = test::read_text(folder() / "a.h5");
