@@ -1,191 +1,103 @@
-// The program that uses Gmsh's library: gnomon_gmsh FILE SIZE FACTOR [ZONE]. It reads or meshes a
-// file and hands the mesh to gnomon (src/mesh/gmsh_process.cpp), which starts it. A process of its
-// own because a damaged file, a script that says Exit or a failed algorithm may end it; gnomon has
-// its signals, its terminal and its memory for itself.
-#include <gmsh.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
+// The program that uses Gmsh's library. gnomon starts it with a socket (src/mesh/gmsh_server.cpp),
+// on which it asks for meshes; each is made by a fork, because a damaged file, a script that says
+// Exit or a failed algorithm may end that; and gnomon has its signals, its terminal and its memory
+// for itself.
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
+#include <array>
 #include <cerrno>
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <exception>
+#include <cstring>
+#include <optional>
 #include <sstream>
-#include <utility>
+#include <string>
+#include <vector>
 
-#include "gmsh/model_mesh.hpp"
-#include "gmsh/script.hpp"
+#include "gmsh/reader.hpp"
+#include "mesh/mesh_request.hpp"
 #include "mesh/mesh_stream.hpp"
 
 namespace gnomon::gmsh_reader {
 
 namespace {
 
-void put(const void* bytes, std::size_t count) {
-  const auto* place = static_cast<const char*>(bytes);
-  while (count > 0) {
-    const ssize_t now = write(mesh_stream::descriptor, place, count);
-    if (now < 0 && errno == EINTR) continue;
-    if (now <= 0) _exit(3);
-    place += now;
-    count -= static_cast<std::size_t>(now);
-  }
+struct Request {
+  std::array<std::string, mesh_request::words> words;
+  int output = -1;  ///< descriptor on which the mesh is to be written
+};
+
+void wait_for_request() {
+  constexpr int milliseconds = 10'000;
+  pollfd watched{.fd = mesh_request::descriptor, .events = POLLIN, .revents = 0};
+  if (poll(&watched, 1, milliseconds) == 0) _exit(0);
 }
 
-void limit(int resource, double most) {
-  rlimit limits{};
-  getrlimit(static_cast<__rlimit_resource_t>(resource), &limits);
-  limits.rlim_cur = std::min(limits.rlim_max, static_cast<rlim_t>(most));
-  setrlimit(static_cast<__rlimit_resource_t>(resource), &limits);
+/// None where gnomon has ended.
+std::optional<Request> next_request() {
+  std::vector<char> message(mesh_request::longest);
+  Request request;
+  iovec content{.iov_base = message.data(), .iov_len = message.size()};
+  alignas(cmsghdr) char control[CMSG_SPACE(sizeof request.output)] = {};
+  msghdr header{};
+  header.msg_iov = &content;
+  header.msg_iovlen = 1;
+  header.msg_control = control;
+  header.msg_controllen = sizeof control;
+  wait_for_request();
+  const ssize_t size = recvmsg(mesh_request::descriptor, &header, MSG_CMSG_CLOEXEC);
+  const cmsghdr* const passed = CMSG_FIRSTHDR(&header);
+  if (size <= 0 || !passed) return {};
+  std::memcpy(&request.output, CMSG_DATA(passed), sizeof request.output);
+  std::istringstream text(std::string(message.data(), static_cast<std::size_t>(size)));
+  for (std::string& word : request.words) std::getline(text, word, '\0');
+  return request;
 }
 
-/// Counts in a damaged file may ask for any memory, and for as much time.
-void limit_resources(const std::string& file) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would take the mesh
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_AS, static_cast<double>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE));
-  struct stat facts {};
-  constexpr double seconds_at_least = 5, bytes_per_second = 1e6;  // measured: 2e7 and more
-  if (file.ends_with(".msh") && stat(file.c_str(), &facts) == 0)
-    limit(RLIMIT_CPU, seconds_at_least + static_cast<double>(facts.st_size) / bytes_per_second);
+[[noreturn]] void make_mesh(const Request& request) {
+  const auto& [folder, file, size, factor, zone] = request.words;
+  std::signal(SIGINT, SIG_DFL);
+  dup2(request.output, mesh_stream::descriptor);  // in place of the socket
+  if (chdir(folder.c_str()) != 0) _exit(2);
+  // Without the ends of Gmsh's and OpenCASCADE's many static objects.
+  _exit(hand_over_mesh(file, std::atof(size.c_str()), std::atof(factor.c_str()), zone));
 }
 
-/// Nothing of the user's settings, no terminal, one thread: the same mesh every time.
-void start_gmsh() {
-  gmsh::initialize(0, nullptr, false);
-  for (const char* name : {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D",
-                           "Mesh.MaxNumThreads3D"})
-    gmsh::option::setNumber(name, 1);
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::logger::start();
-}
-
-std::string first_error() {
-  std::vector<std::string> lines;
-  gmsh::logger::get(lines);
-  for (const std::string& line : lines)
-    if (line.starts_with("Error: ")) return line.substr(7);
-  return {};
-}
-
-/// One line of letters that every terminal can show.
-std::string tidy(std::string text) {
-  for (char& letter : text)
-    if (static_cast<unsigned char>(letter) < ' ' || letter == 127) letter = ' ';
-  constexpr std::size_t most = 300;
-  if (text.size() > most) text = text.substr(0, most) + " ...";
-  return text;
-}
-
-void open(const std::string& file) {
-  try {
-    gmsh::open(file);
-  } catch (const std::bad_alloc&) {
-    throw std::runtime_error("it asks for more memory than there is");
-  } catch (...) {  // Gmsh throws texts and numbers; what it says stands in its log
-    const std::string error = first_error();
-    throw std::runtime_error(error.empty() ? "Gmsh cannot read it" : error);
-  }
-  if (const std::string error = first_error(); !error.empty()) throw std::runtime_error(error);
-}
-
-/// Whether the factor that the script was opened with changes the number of elements of some curve.
-bool changes_curves(const std::string& script) {
-  const double with = elements_on_curves();
-  ask_for_factor(1);
-  open(script);
-  return with != elements_on_curves();
-}
-
-ImportedMesh read(const std::string& file, double size, double factor, const std::string& zone,
-                  bool geometry) {
-  if (geometry) ask_for_factor(factor);
-  open(file);
-  ImportedMesh mesh;
-  if (!zone.empty()) ask_for_zone(zone);
-  if (geometry) mesh_geometry(size, factor, file.ends_with(".geo"), mesh.remarks);
-  if (const std::string error = first_error(); !error.empty()) throw std::runtime_error(error);
-  mesh.has_sizes = !geometry;
-  if (file.ends_with(".geo")) {
-    const Script script(file);
-    mesh.has_sizes = script.gives_sizes();
-    for (std::string& sentence : script.absent_members()) mesh.remarks.push_back(tidy(sentence));
-  }
-  copy_model(mesh, geometry);
-  constexpr double rounding = 1e-9;  // of factors that a plan has multiplied
-  const bool is_scaled = std::abs(factor - 1) > rounding;
-  const auto say_idle = [&](const std::string& what) {
-    mesh.remarks.push_back(what +
-                           " changes the number of elements on no curve: the script gives these "
-                           "numbers (Transfinite)");
-  };
-  if (file.ends_with(".geo") && size > 0 && !curves_follow_sizes()) say_idle("its size");
-  if (file.ends_with(".geo") && mesh.has_sizes && is_scaled && !changes_curves(file))
-    say_idle("its factor");
-  return mesh;
-}
-
-/// Gmsh's words, and what they mean where they do not say so.
-std::string explained(const std::string& error) {
-  constexpr std::pair<const char*, const char*> meanings[] = {
-      {"closed", "expected curves of a loop that end where the next begins"},
-      {"Loop", "expected curves that follow each other, -2 for curve 2 backwards"},
-      {"recover the edge", "an outline may cross itself there"},
-      {"Wrong mesh element size", "expected positive sizes"}};
-  for (const auto& [words, meaning] : meanings)
-    if (error.find(words) != std::string::npos) return "Gmsh complains: " + error + ": " + meaning;
-  return "Gmsh complains: " + error;
-}
-
-void hand_over(char letter, auto content) {
-  mesh_stream::Stream<false, decltype(&put)> writer{&put};
-  writer(letter);
-  writer(content);
-}
-
-/// What Gmsh throws among its threads, the text of its error, cannot be caught there.
-[[noreturn]] void end_with_complaint() {
-  try {
-    std::rethrow_exception(std::current_exception());
-  } catch (const std::string& error) {
-    hand_over(mesh_stream::complaint, tidy(explained(error)));
-    _exit(0);
-  } catch (...) {
-    std::abort();
-  }
-}
-
-int run(const std::string& file, double size, double factor, const std::string& zone) {
-  limit_resources(file);
-  std::set_terminate(end_with_complaint);
-  std::string complaint;
-  try {
-    start_gmsh();
-    hand_over(mesh_stream::sound, read(file, size, factor, zone, !file.ends_with(".msh")));
-    return 0;
-  } catch (const Refusal& refusal) {
-    complaint = refusal.what();
-  } catch (const std::exception& error) {
-    complaint = explained(error.what());
-  } catch (...) {
-    const std::string error = first_error();
-    complaint = explained(error.empty() ? "it failed" : error);
-  }
-  hand_over(mesh_stream::complaint, tidy(complaint));
-  return 0;
+/// How the making of a mesh ended, which ends at once where gnomon does.
+int served(const Request& request) {
+  int ends[2];  // of a pipe whose second end the fork alone has, until it ends
+  if (pipe2(ends, O_CLOEXEC)) _exit(2);
+  const pid_t process = fork();
+  if (process < 0) _exit(2);
+  if (process == 0) make_mesh(request);
+  close(request.output);
+  close(ends[1]);
+  std::array<pollfd, 2> watched{};
+  watched[0].fd = mesh_request::descriptor;
+  watched[1].fd = ends[0];
+  while (poll(watched.data(), watched.size(), -1) < 0 && errno == EINTR) continue;
+  close(ends[0]);
+  if (watched[0].revents != 0) kill(process, SIGKILL);
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  return status;
 }
 
 }  // namespace
 
 }  // namespace gnomon::gmsh_reader
 
-int main(int count, char** arguments) {
-  if (count != 4 && count != 5) return 2;
-  // Without the ends of Gmsh's and OpenCASCADE's many static objects.
-  _exit(gnomon::gmsh_reader::run(arguments[1], std::atof(arguments[2]), std::atof(arguments[3]),
-                                 count == 5 ? arguments[4] : ""));
+int main() {
+  using namespace gnomon;
+  std::signal(SIGINT, SIG_IGN);  // Ctrl-C is for gnomon, and for the fork
+  std::signal(SIGPIPE, SIG_IGN);
+  while (const auto request = gmsh_reader::next_request()) {
+    const int status = gmsh_reader::served(*request);
+    if (send(mesh_request::descriptor, &status, sizeof status, 0) < 0) break;
+  }
+  _exit(0);
 }

@@ -10,7 +10,7 @@ namespace gnomon::mesh_stream {
 
 inline constexpr char sound = 'M', complaint = 'C';
 
-/// The file descriptor on which the process writes.
+/// The file descriptor on which the process writes a mesh.
 inline constexpr int descriptor = 3;
 
 /// Writes or reads objects in a fixed order of their parts, through `move(bytes, count)`, which

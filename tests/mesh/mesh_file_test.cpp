@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -12,6 +14,7 @@
 #include <gnomon/mesh/mesh_file.hpp>
 #include <numbers>
 #include <set>
+#include <sstream>
 
 #include "support/hexahedra.hpp"
 #include "support/imported.hpp"
@@ -397,6 +400,48 @@ void expect_comes_back(const ImportedBody<dim>& body, const fs::path& file) {
     EXPECT_EQ(again.mesh.boundary.at(name).size(), facets.size()) << name;
   ASSERT_EQ(again.point_groups.size(), body.point_groups.size());
   EXPECT_EQ(again.cell_groups.size(), body.cell_groups.size());
+}
+
+/// Of this process.
+std::vector<pid_t> children() {
+  std::vector<pid_t> result;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "stat");
+    std::string stat;
+    if (!std::getline(file, stat)) continue;
+    std::istringstream fields(stat.substr(stat.rfind(')') + 1));
+    char state = 0;
+    pid_t parent = 0;
+    if (fields >> state >> parent && parent == getpid())
+      result.push_back(std::stoi(entry.path().filename().string()));
+  }
+  return result;
+}
+
+TEST_F(MeshFile, IsReadByOneProcessUntilThatEnds) {
+  const fs::path script = put("block.geo", block);
+  const std::size_t nodes = read_mesh_file(script).nodes.size();
+  const std::vector<pid_t> first = children();
+  ASSERT_EQ(first.size(), 1u);
+  run_script("Point(1) = {0, 0, 0};");  // ends a fork
+  EXPECT_EQ(read_mesh_file(script).nodes.size(), nodes);
+  EXPECT_EQ(children(), first);
+  for (const int signal : {SIGINT, SIGKILL}) kill(first.front(), signal);
+  EXPECT_EQ(read_mesh_file(script).nodes.size(), nodes);
+  ASSERT_EQ(children().size(), 1u);
+  EXPECT_NE(children(), first);
+  // Names are relative to where gnomon is.
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  EXPECT_EQ(read_mesh_file("block.geo").nodes.size(), nodes);
+  fs::current_path(before);
+  // A fork of gnomon has a process of its own.
+  const pid_t fork_of_this = fork();
+  if (fork_of_this == 0) _exit(read_mesh_file(script).nodes.size() == nodes ? 0 : 1);
+  int status = 1;
+  waitpid(fork_of_this, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(read_mesh_file(script).nodes.size(), nodes);
 }
 
 TEST_F(MeshFile, AWrittenMeshComesBackToTheLastDigit) {
