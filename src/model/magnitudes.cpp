@@ -94,14 +94,15 @@ double size_of_wearing(const AssemblyParts<dim>& parts) {
   return least;
 }
 
-/// The initial position of a node of a surface, for a law that is not defined everywhere.
+/// The initial positions of nodes of a surface.
 template <int dim>
-std::array<double, 3> node_of(const Surface<dim>& surface, const AssemblyParts<dim>& parts) {
-  std::array<double, 3> place{};
-  if (surface.facets.empty()) return place;
-  const int node = surface.facets[surface.facets.size() / 2].front();
-  std::ranges::copy(parts.mesh.nodes[static_cast<std::size_t>(node)], place.begin());
-  return place;
+std::vector<std::array<double, 3>> places_on(const Surface<dim>& surface,
+                                             const AssemblyParts<dim>& parts) {
+  std::vector<std::array<double, 3>> places(surface.facets.size());
+  for (std::size_t k = 0; k < places.size(); ++k)
+    std::ranges::copy(parts.mesh.nodes[static_cast<std::size_t>(surface.facets[k].front())],
+                      places[k].begin());
+  return places;
 }
 
 /// Of the wearing surfaces together, by force and time: where they touch a volume, of pairs that of
@@ -168,7 +169,7 @@ Magnitudes magnitudes_of(const AssemblyParts<dim>& parts, double duration) {
                              .friction = parts.interface.friction,
                              .speed = parts.nominal_speed(),
                              .duration = duration,
-                             .initial = {node_of(surface, parts)}};
+                             .initial = places_on(surface, parts)};
   };
   std::vector<double> by_surface;
   for (const Surface<dim>& surface : parts.interface.surfaces)

@@ -61,9 +61,25 @@ std::string where_law(const Scene& scene, const std::string& rate_key = "wear.ra
   return scene.where(scene.text("wear.law") == "expression" ? rate_key : "wear.law");
 }
 
-/// One of the positions, for a law that is not defined everywhere.
-std::array<double, 3> middle_of(const std::vector<std::array<double, 3>>& positions) {
-  return positions.empty() ? std::array<double, 3>{} : positions[positions.size() / 2];
+using Places = std::vector<std::array<double, 3>>;
+
+/// Some of the positions, all over the surface, at which a new surface has a rate: a law need not
+/// be defined everywhere.
+Places places_of(const WearLaw& law, const WearCircumstances& at) {
+  constexpr std::size_t most = 8;
+  const std::size_t count = std::min(most, at.initial.size());
+  Places places;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto& place = at.initial[(2 * k + 1) * at.initial.size() / (2 * count)];
+    try {
+      law.rate({.pressure = at.pressure, .speed = at.speed, .initial = place});
+      places.push_back(place);
+    } catch (const RecoverableError&) {
+      continue;
+    }
+  }
+  return places.empty() ? Places{at.initial.empty() ? Places::value_type{} : at.initial.front()}
+                        : places;
 }
 
 /// Multiples of the mean pressure, of which the first is taken at which a law wears.
@@ -71,20 +87,20 @@ constexpr std::array<double, 4> that_wear = {1, 3, 10, 30};
 
 /// Wdot / p at a pressure that is that of the whole contact; of a rate that is proportional to it,
 /// whatever the pressure, to the last digit.
-double secant(const WearLaw& law, const WearCircumstances& at, double pressure, double speed,
-              double t, double depth = 0) {
+double secant(const WearLaw& law, const WearCircumstances& at, double pressure,
+              const Places::value_type& place, double t, double depth = 0) {
   constexpr double rounding = 1e-12;
-  const double power = at.friction * pressure * speed;
+  const double power = at.friction * pressure * at.speed;
   const WearRate rate = law.rate({.pressure = pressure,
-                                  .speed = speed,
+                                  .speed = at.speed,
                                   .depth = depth,
                                   .friction_power = power,
                                   .mean_friction_power = power,
-                                  .moment = {.time = t, .slid = speed * t, .within = t},
-                                  .initial = middle_of(at.initial)});
+                                  .moment = {.time = t, .slid = at.speed * t, .within = t},
+                                  .initial = place});
   const double secant = rate.value / pressure;
-  const double slope = rate.by_pressure +
-                       (rate.by_friction_power + rate.by_mean_friction_power) * at.friction * speed;
+  const double slope = rate.by_pressure + (rate.by_friction_power + rate.by_mean_friction_power) *
+                                              at.friction * at.speed;
   return std::abs(slope - secant) <= rounding * secant ? slope : secant;
 }
 
@@ -92,9 +108,11 @@ double secant(const WearLaw& law, const WearCircumstances& at, double pressure, 
 
 double wear_by_pressure(const WearLaw& law, const WearCircumstances& at) {
   constexpr int moments = 4096;  // middles of equal parts of the run
+  const Places places = places_of(law, at);
   for (const double multiple : that_wear) {
     const auto at_moment = [&](int k) {
-      return secant(law, at, multiple * at.pressure, at.speed, at.duration * (k + 0.5) / moments);
+      return secant(law, at, multiple * at.pressure, places[k % places.size()],
+                    at.duration * (k + 0.5) / moments);
     };
     const double first = at_moment(0);
     double difference = 0;  // so that equal ones have their mean to the last digit
@@ -108,12 +126,14 @@ double wear_by_pressure(const WearLaw& law, const WearCircumstances& at) {
 /// h, with the trapezoidal rule on a grid in logarithmic steps: a law may fall at any depth.
 double depth_by_law(const WearLaw& law, const WearCircumstances& at, double nominal) {
   constexpr int moments = 16, decades = 12, parts = 16;
+  const Places places = places_of(law, at);
   double pressure = 0;
   const auto rate = [&](double depth) {
     double sum = 0;
     try {
       for (int k = 0; k < moments; ++k)
-        sum += secant(law, at, pressure, at.speed, at.duration * (k + 0.5) / moments, depth);
+        sum += secant(law, at, pressure, places[k % places.size()],
+                      at.duration * (k + 0.5) / moments, depth);
     } catch (const RecoverableError&) {
       if (depth == 0) throw;
       return 0.0;  // a law need not be defined beyond the depth at which it falls to zero

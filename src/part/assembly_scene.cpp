@@ -189,8 +189,8 @@ WearCircumstances wear_circumstances(const AssemblyParts<dim>& parts) {
                        .friction = friction,
                        .speed = parts.nominal_speed(),
                        .duration = parts.scales.duration,
-                       .depth = parts.scales.wear_depth,
                        .initial = {},
+                       .depth = parts.scales.wear_depth,
                        .rolls = parts.interface.rolling.has_value()};
   for (const ContactPatch<dim>& patch : contact_nodes_of(parts)) {
     std::array<double, 3>& position = at.initial.emplace_back();

@@ -90,12 +90,12 @@ void check_wear_law(const WearLaw& law, const WearRange& range, const std::strin
 }
 
 std::string remark_on_idle_law(const WearLaw& law, const WearRange& range) {
-  const auto rate = [&](double pressure, double depth, double time) {
+  const auto rate = [&](double pressure, double depth, double time, const auto& place) {
     WearInput at{.pressure = pressure * range.pressure,
                  .speed = range.speed,
                  .depth = depth * range.depth,
                  .moment = {time, time * range.nominal_speed, time},
-                 .initial = range.initial.front()};
+                 .initial = place};
     at.friction_power = at.mean_friction_power = range.friction * at.pressure * at.speed;
     return depth == 0 || has_rate(law, at) ? law.rate(at) : WearRate{};
   };
@@ -103,12 +103,14 @@ std::string remark_on_idle_law(const WearLaw& law, const WearRange& range) {
   for (const double pressure : {1.0, 3.0, 10.0}) {
     bool wears = false;
     for (const double time : moments(law, range.duration))
-      for (const double depth : {0.0, 0.3}) {
-        const WearRate found = rate(pressure, depth, time);
-        if (range.friction == 0 && found.by_friction_power != 0)
-          return "the wear law reads q = f p v, which is 0: friction.coefficient is 0";
-        wears |= found.value > 0;
-      }
+      for (const double depth : {0.0, 0.3})
+        for (const auto& place : range.initial) {
+          if (wears && &place != &range.initial.front()) break;
+          const WearRate found = rate(pressure, depth, time, place);
+          if (range.friction == 0 && found.by_friction_power != 0)
+            return "the wear law reads q = f p v, which is 0: friction.coefficient is 0";
+          wears |= found.value > 0;
+        }
     if (wears) break;
     idle = pressure;
   }

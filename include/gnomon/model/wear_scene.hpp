@@ -18,19 +18,19 @@ WearLaw read_wear_law(const Scene& scene, std::optional<double> speed = {},
 
 /// What a wear law meets in a run, for scales and checks.
 struct WearCircumstances {
-  double pressure = 1;  ///< mean contact pressure [stress]
-  double friction = 0;  ///< Coulomb's coefficient
-  double speed = 1;     ///< nominal one, s = speed t [length / time]
-  double duration = 1;  ///< of the run [time]
-  // Read by required_law() alone:
-  double depth = 1;                                   ///< mean wear depth at the end [length]
+  double pressure = 1;                                ///< mean contact pressure [stress]
+  double friction = 0;                                ///< Coulomb's coefficient
+  double speed = 1;                                   ///< nominal one, s = speed t [length / time]
+  double duration = 1;                                ///< of the run [time]
   std::vector<std::array<double, 3>> initial = {{}};  ///< positions of the nodes [length]
-  bool rolls = false;                                 ///< in a steady state, so that q has a mean
+  // Read by required_law() alone:
+  double depth = 1;    ///< mean wear depth at the end [length]
+  bool rolls = false;  ///< in a steady state, so that q has a mean
 };
 
-/// The mean over the run of Wdot / p at a new surface [length / (time stress)]: k v of Archard's
-/// law. Of a law that needs more than the mean pressure, at the first multiple of it that wears;
-/// zero where none does. Throws RecoverableError where the rate is not finite.
+/// The mean over the run and the nodes of Wdot / p at a new surface [length / (time stress)]: k v
+/// of Archard's law. Of a law that needs more than the mean pressure, at the first multiple of it
+/// that wears; zero where none does. Throws RecoverableError where the rate is not finite.
 double wear_by_pressure(const WearLaw& law, const WearCircumstances& at);
 
 /// The depth at the end of the run of a law that may read it, where the rate of a new surface would
