@@ -6,16 +6,26 @@
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/scene/toml_key.hpp>
 
+#include "expressions/expression_text.hpp"
+
 namespace gnomon {
 
 namespace {
 
-/// The wearing surfaces without a coefficient of their own.
+/// Whether the law of a surface may read k.
+bool reads_coefficient(const Scene& scene, const std::string& surface) {
+  if (scene.text("wear.law") != "expression") return true;
+  const std::string own = "wear.surfaces." + toml_key(surface) + ".rate";
+  return tokens_in(scene.text(scene.given(own) ? own : "wear.rate")).contains("k");
+}
+
+/// The wearing surfaces whose law reads a coefficient that they have not.
 std::vector<std::string> without_coefficient(const Scene& scene) {
   if (!scene.given("wear.on")) return {};
   std::vector<std::string> names = scene.texts("wear.on");
   std::erase_if(names, [&](const std::string& name) {
-    return scene.given("wear.surfaces." + toml_key(name) + ".coefficient");
+    return scene.given("wear.surfaces." + toml_key(name) + ".coefficient") ||
+           !reads_coefficient(scene, name);
   });
   return names;
 }
