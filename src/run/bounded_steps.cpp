@@ -6,6 +6,7 @@
 #include <gnomon/model/observation.hpp>
 #include <gnomon/newton/interruption.hpp>
 
+#include "run/guards.hpp"
 #include "run/store_schedule.hpp"
 
 namespace gnomon {
@@ -50,7 +51,10 @@ BoundedStep BoundedSteps::advance(double stop, const std::function<bool()>& inte
   step.observed = observe(step.report);
   if (model().overdue) come_near(step);
   if (model().limit) stop_short(step);
-  stop_before_hole(step);
+  stop_before(
+      {"thickness_left", 0, "a body is worn through: wear takes all its thickness at a node"},
+      step);
+  stop_before({"element_volume", least_element_volume, worn_away_text(least_element_volume)}, step);
   if (until_) end_early(step);
   return step;
 }
@@ -94,19 +98,22 @@ void BoundedSteps::stop_short(BoundedStep& step) {
   throw at_limit(state().t, *step.limit);
 }
 
-/// Repeats a step that wears a body through, with an end shortly before.
-void BoundedSteps::stop_before_hole(BoundedStep& step) {
+/// Repeats a step that wears off what is left, of a body or of an element, with an end shortly
+/// before.
+void BoundedSteps::stop_before(const WornOff& what, BoundedStep& step) {
   constexpr int most = 20;
-  constexpr double shortly = 0.998, thin = 0.01;  // parts of the step, and of the thickness
-  const double before = value_of(last_, "thickness_left").value_or(1);
-  const auto left = [&] { return value_of(step.observed, "thickness_left").value_or(1); };
-  if (left() > 0 || before <= 0) return;
-  for (int i = 0; i < most && left() <= 0; ++i)
-    repeat(step,
-           step.before.t + shortly * before / (before - left()) * (state().t - step.before.t));
+  constexpr double shortly = 0.998, thin = 0.01;  // parts of the step, and of what was there
+  const auto above = [&](const Observation& observed) {
+    return value_of(observed, what.left).value_or(1) - what.least;
+  };
+  const double before = above(last_);
+  if (above(step.observed) > 0 || before <= 0) return;
+  for (int i = 0; i < most && above(step.observed) <= 0; ++i) {
+    const double part = before / (before - above(step.observed));
+    repeat(step, step.before.t + shortly * part * (state().t - step.before.t));
+  }
   step.limit = model().limit ? model().limit(state()) : std::nullopt;  // of the shorter step
-  if (left() > 0 && left() < thin)
-    step.limit = {"a body is worn through: wear takes all its thickness at a node"};
+  if (above(step.observed) > 0 && above(step.observed) < thin) step.limit = {what.reason};
 }
 
 /// Repeats a step that goes beyond time.until, with an end there. A method of several steps begins

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "run/memory.hpp"
 
@@ -64,7 +65,13 @@ private:
   }
   void come_near(BoundedStep& step);
   void stop_short(BoundedStep& step);
-  void stop_before_hole(BoundedStep& step);
+  /// An observation, its value where nothing is left, and what is said then.
+  struct WornOff {
+    const char* left;
+    double least;
+    std::string reason;
+  };
+  void stop_before(const WornOff& what, BoundedStep& step);
   void end_early(BoundedStep& step);
 
   State& state() { return memory_.state; }

@@ -183,17 +183,19 @@ double initial_quality(const std::optional<Grid>& grid) {
                                                  : least_quality<3>(*grid);
 }
 
+std::string worn_away_text(double volume) {
+  return fmt::format(
+      "an element is worn down to {:.2g} of its volume: the body is worn away, or its mesh too "
+      "flat for that depth",
+      volume);
+}
+
 void require_sound_mesh(const Observation& observed) {
   const double volume = value_of(observed, "element_volume").value_or(sound);
   const double quality = value_of(observed, "element_quality").value_or(sound);
   if (value_of(observed, "thickness_left").value_or(sound) <= 0)
     throw SolutionError("a body is worn through: wear has taken all its thickness at a node");
-  // With such an element steps would become ever shorter without an end.
-  if (volume < 0.01)
-    throw SolutionError(fmt::format(
-        "an element is worn down to {:.2g} of its volume: the body is worn away, or its mesh too "
-        "flat for that depth",
-        volume));
+  if (volume < least_element_volume) throw SolutionError(worn_away_text(volume));
   if (quality <= 0)
     throw SolutionError(fmt::format(
         "an element of the worn mesh is folded: its scaled Jacobian is {:.2g}", quality));
@@ -206,8 +208,8 @@ std::vector<MeshWarning> mesh_warnings(const Observation& observed, double initi
   if (volume < 0.1)
     warnings.push_back(
         {"wear",
-         fmt::format("an element is worn down to {:.2g} of its volume; at 0.01 the run ends",
-                     volume)});
+         fmt::format("an element is worn down to {:.2g} of its volume; at {:g} the run ends",
+                     volume, least_element_volume)});
   else if (quality < nearly_folded)
     warnings.push_back({initial < nearly_folded && quality >= initial / 2 ? "mesh" : "wear",
                         folding_text(quality, initial)});

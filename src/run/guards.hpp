@@ -79,8 +79,14 @@ private:
   std::vector<int> losses_;  // losses of contact, one entry per node
 };
 
+/// The part of its volume that an element keeps in every state of a run: with less, steps become
+/// ever shorter without an end.
+inline constexpr double least_element_volume = 0.01;
+/// Why a run ends there.
+std::string worn_away_text(double volume);
+
 /// Throws SolutionError for a state with an element that is folded (element_quality not positive)
-/// or has less than a hundredth of its volume (element_volume), and for a body that is worn through
+/// or has less than its least volume (element_volume), and for a body that is worn through
 /// (thickness_left).
 void require_sound_mesh(const Observation& observed);
 
