@@ -34,7 +34,8 @@ FirstTouch first_touch(const Assembly<dim>& body, const NodalField<dim>& d,
 /// A counter-body that is free in several directions rests where its force goes along the traction
 /// n - f s of the node that it touches. From the direction of its force, the approach is turned by
 /// what the normal there is off: a shaft comes down in the middle of its bore, or, with friction,
-/// where it has rolled to. A surface with one normal has no such place, and keeps the approach.
+/// where it has rolled to. A surface with one normal, or the corner between two, has no such place:
+/// the approach is then the force again.
 template <int dim>
 void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterBody<dim>& other) {
   constexpr int most_turns = 30;
@@ -47,8 +48,6 @@ void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterB
   if (ways < 2) return;
   const Tensor<dim> within = free * Tensor<dim>(pseudo_inverse(free));
   const Vector<dim> force = other.approach;
-  std::optional<Vector<dim>> straight_on;  // the normal without a turn
-  bool curved = false;
   for (int k = 0; k < most_turns; ++k) {
     const FirstTouch first = first_touch(body, d, other);
     if (first.node < 0) break;
@@ -56,8 +55,6 @@ void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterB
     const PartnerMotion<> q = other.brought(first.travel);
     const Vector<dim> at = other.seen(x, q), n = other.unchecked_distance(x, q, 0).normal;
     if (!n.allFinite()) break;
-    if (!straight_on) straight_on = n;
-    curved = curved || (n - *straight_on).norm() > near;
     const Sliding<dim> sliding(body.interface.streaming - other.motion.at(at), n,
                                other.motion.across_at(at));
     const Vector<dim> drag = body.interface.friction * (within * sliding.direction),
@@ -66,7 +63,7 @@ void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterB
     if (off.norm() < near) return;
     other.come_along(other.approach + off);
   }
-  if (!curved) other.come_along(force);
+  other.come_along(force);
 }
 
 /// Moves bodies of pairs that no support holds to where they rest, tells `touching` of it, and

@@ -241,6 +241,53 @@ TEST_F(FreePartner, APivotedPlaneCarriesItsForceAndItsMoment) {
   }
 }
 
+// It lies on both sides of the corner from the start, in no place to which it could roll; each
+// force is carried by the side that it presses on.
+TEST_F(FreePartner, ACornerIsPressedByTwoForces) {
+  folder_.write("corner.geo", R"(
+Point(1) = {0, 1, 0}; Point(2) = {1, 0, 0}; Point(3) = {6, 0, 0}; Point(4) = {6, 6, 0};
+Point(5) = {0, 6, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 1};
+Curve Loop(1) = {1:5}; Plane Surface(1) = {1}; Mesh.MeshSizeMax = 0.6;
+Physical Curve("low") = {2}; Physical Curve("left") = {5}; Physical Curve("right") = {3};
+Physical Surface("body") = {1};
+)");
+  for (const double up : {0.1, 1.0, 2.0, 10.0}) {
+    const auto body = PartScenes::model(fmt::format(R"toml(
+problem = "worn_body"
+mesh.file = "corner.geo"
+[body]
+young_modulus = 1000.0
+poisson_ratio = 0.3
+[[support]]
+on = "right"
+[counter_body]
+shape = "cone"
+center = [0.0, 0.0]
+axis = [1.0, 1.0]
+half_angle = 45.0
+side = "outside"
+motion = {{ velocity = [0.0, 0.0, 100.0] }}
+[[counter_body.press]]
+direction = [0.0, 1.0]
+force = {}
+[[counter_body.press]]
+direction = [1.0, 0.0]
+force = 15.0
+[wear]
+on = ["low", "left"]
+coefficient = 1e-6
+[time]
+end = 1.0
+[integrator]
+name = "esdirk-3"
+)toml",
+                                                    up));
+    const State state = start_of(*body);
+    EXPECT_NEAR(observed(*body, state, "contact_force"), up + 15, 1e-3);
+  }
+}
+
 TEST_F(FreePartner, RefusesWhatNothingDetermines) {
   const std::string moment = entry("moment = 5.0");
   EXPECT_THAT(refusal(down + moment), HasSubstr("the shape is round about the axis of the moment"));
