@@ -52,8 +52,8 @@ double find_overlap(const WornBodyEquations<dim>& equations, double part) {
   return deepest;
 }
 
-/// In the phase where it is largest; the forces of a moment may have no sum, and those beside an
-/// approach or an overlap do not press.
+/// In the phase where it is largest; the forces of a moment may have no sum, and an approach or an
+/// overlap presses by any force.
 template <int dim>
 double find_wedging(const std::vector<Phase<dim>>& phases,
                     const std::vector<PhaseContact<dim>>& contacts) {
@@ -69,7 +69,7 @@ double find_wedging(const std::vector<Phase<dim>>& phases,
     const std::vector<std::optional<double>> forces = phases[p].forces();
     for (std::size_t k = 0; k < forces.size(); ++k) {
       const Guide<dim>& guide = phases[p].counter_body.guides[k];
-      if (guide.turns()) return 0;
+      if (guide.turns() || guide.travel) return 0;
       if (forces[k]) pressing += std::abs(sum.dot(guide.along));
     }
     if (pressing > 0) most = std::max(most, all / pressing);
