@@ -213,15 +213,18 @@ void require_determined(const Scene& scene, const CounterBody<dim>& body) {
       });
   const auto [values, vectors] = spectrum_of(moved);
   if (values[0] > 1e-12 * moved.trace()) return;
-  Eigen::Index most = 0;
-  vectors.col(0).cwiseAbs().maxCoeff(&most);
+  constexpr double some = 1e-6;
+  double turned = 0;  // the part of a turn in that motion
+  for (Eigen::Index k = 0; k < count; ++k)
+    if (free[k]->turns()) turned = std::abs(vectors(k, 0));
   throw InputError(fmt::format(
       "{}: expected a motion that changes where the surface is, but {}: nothing determines how far "
       "it {}",
       scene.path().string() + ": [[counter_body.press]]",
-      free[most]->turns() ? "the shape is round about the axis of the moment"
-                          : "the shape looks the same when it moves along its free directions",
-      free[most]->turns() ? "turns" : "moves"));
+      turned < some       ? "the shape looks the same when it moves along its free directions"
+      : turned > 1 - some ? "the shape is round about the axis of the moment"
+                          : "to turn about the axis of the moment moves it as another entry does",
+      turned > 1 - some ? "turns" : "moves"));
 }
 
 template <int dim>

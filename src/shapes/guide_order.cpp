@@ -75,7 +75,10 @@ Vector<dim> pressing_sum(const Scene& scene, const Vector<dim>& outward,
   }
   if (sum.isZero(0) && first.force)
     throw InputError(scene.path().string() +
-                     ": [[counter_body.press]]: expected a direction with a force above zero");
+                     ": [[counter_body.press]]: expected a direction with a force above zero" +
+                     (std::ranges::any_of(guides, &Guide<dim>::turns)
+                          ? ", also beside a moment, which brings nothing into contact"
+                          : ""));
   for (const Guide<dim>& guide : guides)
     if (guide.travel && !first.force) sum += guide.travel->factor(0) * guide.along;
   return sum;

@@ -292,7 +292,9 @@ TEST_F(FreePartner, RefusesWhatNothingDetermines) {
   const std::string moment = entry("moment = 5.0");
   EXPECT_THAT(refusal(down + moment), HasSubstr("the shape is round about the axis of the moment"));
   EXPECT_THAT(refusal(aside), HasSubstr("a direction with a force above zero"));
-  EXPECT_THAT(refusal(moment), HasSubstr("a direction with a force above zero"));
+  EXPECT_THAT(refusal(moment), HasSubstr("above zero, also beside a moment"));
+  EXPECT_THAT(refusal(down + entry("moment = 5.0\ncenter = [10.0, 0.0]")),
+              HasSubstr("to turn about the axis of the moment moves it as another entry does"));
   EXPECT_THAT(refusal(down + down), HasSubstr("nothing determines how far it moves"));
   EXPECT_THAT(refusal(entry("force = 1.0")),
               HasSubstr("expected also counter_body.press.1.direction"));
