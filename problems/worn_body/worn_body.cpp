@@ -11,7 +11,7 @@ namespace {
 
 const Registration<Problem> registration({
     .name = "worn_body",
-    .help = "a part from a mesh with named surfaces (Gmsh), against a rigid counter-body",
+    .help = "parts from meshes with named surfaces (Gmsh), against a counter-body or each other",
     .keys = part_keys(),
     .make = make_part,
     .remake = remake_part,

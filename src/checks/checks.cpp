@@ -225,7 +225,7 @@ std::vector<std::string> doubts(const Examination& start, const Examination& end
       start.slip_area > 0 ? std::min(start.stick_area, start.slip_area) : start.stick_area;
   if (start.stick_area - end.stick_area > little * least)
     found.push_back(fmt::format(
-        "the contact that always sticks has shrunk from {:.3g} to {:.3g} [mm, in space mm^2]: its "
+        "the contact that always sticks has shrunk from {:.3g} to {:.3g} [mm, of solids mm^2]: its "
         "edge moves by a node where elements concentrate tractions, as well as where bodies would "
         "slip; depths beside it are less certain than the budget says (docs/fretting.md)",
         start.stick_area, end.stick_area));
