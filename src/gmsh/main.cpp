@@ -26,6 +26,10 @@ namespace gnomon::gmsh_reader {
 
 namespace {
 
+/// Those of a terminal or a queue, which are for gnomon and for the fork.
+constexpr std::array<int, 2> stopping = {SIGINT, SIGTERM};
+std::array<void (*)(int), 2> before{};  ///< what this process would have done
+
 struct Request {
   std::array<std::string, mesh_request::words> words;
   int output = -1;  ///< descriptor on which the mesh is to be written
@@ -60,7 +64,7 @@ std::optional<Request> next_request() {
 
 [[noreturn]] void make_mesh(const Request& request) {
   const auto& [folder, file, size, factor, zone] = request.words;
-  std::signal(SIGINT, SIG_DFL);
+  for (std::size_t k = 0; k < stopping.size(); ++k) std::signal(stopping[k], before[k]);
   dup2(request.output, mesh_stream::descriptor);  // in place of the socket
   if (chdir(folder.c_str()) != 0) _exit(2);
   // Without the ends of Gmsh's and OpenCASCADE's many static objects.
@@ -93,8 +97,10 @@ int served(const Request& request) {
 
 int main() {
   using namespace gnomon;
-  std::signal(SIGINT, SIG_IGN);  // Ctrl-C is for gnomon, and for the fork
+  for (std::size_t k = 0; k < gmsh_reader::stopping.size(); ++k)
+    gmsh_reader::before[k] = std::signal(gmsh_reader::stopping[k], SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
+  close_range(mesh_request::descriptor + 1, ~0U, 0);  // files of gnomon, which may end before
   while (const auto request = gmsh_reader::next_request()) {
     const int status = gmsh_reader::served(*request);
     if (send(mesh_request::descriptor, &status, sizeof status, 0) < 0) break;

@@ -67,6 +67,7 @@ void GmshServer::start() {
 }
 
 void GmshServer::end() {
+  if (is_running()) shutdown(socket_, SHUT_RDWR);  // a fork may have it open, too
   if (socket_ >= 0) close(socket_);
   if (is_running())
     while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
@@ -95,6 +96,7 @@ bool GmshServer::send(const std::string& message, int output) const {
   ssize_t sent = 0;
   do sent = sendmsg(socket_, &header, MSG_NOSIGNAL);
   while (sent < 0 && errno == EINTR);
+  if (sent < 0 && errno != EPIPE && errno != ECONNRESET) demand(errno, "request");
   return sent >= 0;
 }
 
