@@ -63,25 +63,6 @@ std::string where_law(const Scene& scene, const std::string& rate_key = "wear.ra
 
 using Places = std::vector<std::array<double, 3>>;
 
-/// Some of the positions, all over the surface, at which a new surface has a rate: a law need not
-/// be defined everywhere.
-Places places_of(const WearLaw& law, const WearCircumstances& at) {
-  constexpr std::size_t most = 8;
-  const std::size_t count = std::min(most, at.initial.size());
-  Places places;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto& place = at.initial[(2 * k + 1) * at.initial.size() / (2 * count)];
-    try {
-      law.rate({.pressure = at.pressure, .speed = at.speed, .initial = place});
-      places.push_back(place);
-    } catch (const RecoverableError&) {
-      continue;
-    }
-  }
-  return places.empty() ? Places{at.initial.empty() ? Places::value_type{} : at.initial.front()}
-                        : places;
-}
-
 /// Multiples of the mean pressure, of which the first is taken at which a law wears.
 constexpr std::array<double, 4> that_wear = {1, 3, 10, 30};
 
@@ -102,6 +83,23 @@ double secant(const WearLaw& law, const WearCircumstances& at, double pressure,
   const double slope = rate.by_pressure + (rate.by_friction_power + rate.by_mean_friction_power) *
                                               at.friction * at.speed;
   return std::abs(slope - secant) <= rounding * secant ? slope : secant;
+}
+
+/// Some of the positions, all over the surface, at which it has a rate in the middle of the run: a
+/// law need not be defined everywhere.
+Places places_of(const WearLaw& law, const WearCircumstances& at) {
+  constexpr std::size_t most = 8;
+  const std::size_t size = at.initial.size(), count = std::min(most, size);
+  Places places;
+  for (std::size_t k = 0; k < count; ++k) try {
+      const auto& place = at.initial[(2 * k + 1) * size / (2 * count)];
+      secant(law, at, at.pressure, place, at.duration / 2);
+      places.push_back(place);
+    } catch (const RecoverableError&) {
+      continue;
+    }
+  if (places.empty()) places.push_back(size > 0 ? at.initial[size / 2] : Places::value_type{});
+  return places;
 }
 
 }  // namespace
@@ -130,14 +128,12 @@ double depth_by_law(const WearLaw& law, const WearCircumstances& at, double nomi
   double pressure = 0;
   const auto rate = [&](double depth) {
     double sum = 0;
-    try {
-      for (int k = 0; k < moments; ++k)
-        sum += secant(law, at, pressure, places[k % places.size()],
-                      at.duration * (k + 0.5) / moments, depth);
-    } catch (const RecoverableError&) {
-      if (depth == 0) throw;
-      return 0.0;  // a law need not be defined beyond the depth at which it falls to zero
-    }
+    for (int k = 0; k < moments; ++k)
+      for (const auto& place : places) try {
+          sum += secant(law, at, pressure, place, at.duration * (k + 0.5) / moments, depth);
+        } catch (const RecoverableError&) {
+          if (depth == 0) throw;  // it need not be defined beyond where it falls to zero
+        }
     return sum;
   };
   double fresh = 0;

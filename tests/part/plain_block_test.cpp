@@ -68,6 +68,8 @@ TEST_F(PlainBlock, ALawMayVanishSomewhere) {
   EXPECT_NEAR(worn("abs(x0)/5"), worn("(abs(x0)+1e-6)/5"), 1e-5);
   EXPECT_NEAR(worn("x0^2/25"), worn("(x0^2+1e-6)/25"), 1e-5);
   EXPECT_GT(worn("sin(pi*(x0+10)/20)"), 0.1);  // zero at the ends
+  // Of two places the first is worn through at a fifth of the depth of the other.
+  EXPECT_GT(worn("max(1-h/(0.01*(1+4*(x0+10)/20)),0)"), 0.2);
 }
 
 TEST_F(PlainBlock, ASurfaceWithARateOfItsOwnNeedsNoCoefficientThatItDoesNotRead) {
