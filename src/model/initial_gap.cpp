@@ -34,12 +34,15 @@ FirstTouch first_touch(const Assembly<dim>& body, const NodalField<dim>& d,
 /// A counter-body that is free in several directions rests where its force goes along the traction
 /// n - f s of the node that it touches. From the direction of its force, the approach is turned by
 /// what the normal there is off: a shaft comes down in the middle of its bore, or, with friction,
-/// where it has rolled to. A surface with one normal, or the corner between two, has no such place:
-/// the approach is then the force again.
+/// where it has rolled to, or near there, where no node is just there. A surface with one normal,
+/// or the corner between two, has no such place: the approach is then the force again.
 template <int dim>
 void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterBody<dim>& other) {
   constexpr int most_turns = 30;
-  constexpr double near = 1e-6;
+  constexpr double rounding = 1e-6, near = 0.2;  // of the force
+  constexpr double nearer = 0.9;                 // of an approach that is the better one
+  // Between normals that follow each other: of nodes, and at first by what friction turns.
+  constexpr double corner = 0.3, early_corner = 1.2;
   Tensor<dim> free = Tensor<dim>::Zero();
   int ways = 0;
   for (const Guide<dim>& guide : other.guides)
@@ -48,6 +51,10 @@ void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterB
   if (ways < 2) return;
   const Tensor<dim> within = free * Tensor<dim>(pseudo_inverse(free));
   const Vector<dim> force = other.approach;
+  Vector<dim> best = force;
+  double least = near;
+  bool at_corner = false;
+  std::optional<Vector<dim>> last;  // normal
   for (int k = 0; k < most_turns; ++k) {
     const FirstTouch first = first_touch(body, d, other);
     if (first.node < 0) break;
@@ -55,15 +62,22 @@ void approach_rest(const Assembly<dim>& body, const NodalField<dim>& d, CounterB
     const PartnerMotion<> q = other.brought(first.travel);
     const Vector<dim> at = other.seen(x, q), n = other.unchecked_distance(x, q, 0).normal;
     if (!n.allFinite()) break;
+    const bool early = k <= most_turns / 2;
+    at_corner = at_corner || (last && (n - *last).norm() > (early ? early_corner : corner));
+    last = n;
     const Sliding<dim> sliding(body.interface.streaming - other.motion.at(at), n,
                                other.motion.across_at(at));
     const Vector<dim> drag = body.interface.friction * (within * sliding.direction),
                       normal = within * n;
     const Vector<dim> off = force * (normal - drag).norm() + drag - normal;
-    if (off.norm() < near) return;
+    if (off.norm() < nearer * least) {
+      least = off.norm();
+      best = other.approach;
+    }
+    if (least < rounding) break;
     other.come_along(other.approach + off);
   }
-  other.come_along(force);
+  other.come_along(at_corner ? force : best);
 }
 
 /// Moves bodies of pairs that no support holds to where they rest, tells `touching` of it, and
