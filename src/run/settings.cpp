@@ -91,7 +91,8 @@ double excess(const Until& until, const Observation& observed) {
 
 double part_until(double before, double after, double steps) {
   const double shortly = 1e-3 * steps;
-  const double part = before / (before - after);
+  constexpr double least = 0.1;  // of what does not jump
+  const double secant = before / (before - after), part = secant < least ? 0.5 : secant;
   return part > 1 - shortly ? 1 : part + shortly / 2;
 }
 

@@ -34,9 +34,9 @@ private:
 /// observation.
 double excess(const Until& until, const Observation& observed);
 
-/// Of an observation that changes evenly from `before` (negative) to `after`: the part of the
-/// step at which the run ends, or 1 if the step ends there or shortly behind: by a thousandth of
-/// `steps` times the step.
+/// Of an observation that changes evenly from `before` (negative) to `after`, or jumps, as a number
+/// of nodes does (then the middle): the part of the step at which the run ends, or 1 if the step
+/// ends there or shortly behind: by a thousandth of `steps` times the step.
 double part_until(double before, double after, double steps);
 
 }  // namespace gnomon

@@ -253,6 +253,19 @@ TEST(RunToAnObservation, TakesFewStepsOfBdf) {
   EXPECT_LT(outcome.counters.steps, 300);
 }
 
+// It jumps: what a straight line would say is a thousandth of each step.
+TEST(RunToAnObservation, TakesFewStepsToANumberOfNodes) {
+  const gnomon::Setup setup =
+      set_up(pin_scene({"integrator.name=esdirk-3", "mesh.elements=[20, 8]",
+                        "body.young_modulus=20", "time.until=contact_nodes > 11"}));
+  const RunOutcome outcome =
+      run(*setup.model, chosen_integrator(setup.scene),
+          integrator_settings(setup.scene, *setup.model), store_policy(setup.scene), nullptr, {});
+  EXPECT_EQ(outcome.ended_by, "time.until: contact_nodes > 11");
+  EXPECT_GT(value_of(outcome.last->scalars, "contact_nodes").value(), 11);
+  EXPECT_LT(outcome.counters.steps, 40);
+}
+
 TEST(Settings, StoreTimesAreSortedAndChecked) {
   const StorePolicy policy = store_policy(pin_scene({"output.times=[30,0,10,30,1000]"}));
   EXPECT_THAT(policy.times, ElementsAre(10, 30, 1000));
