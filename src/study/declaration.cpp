@@ -172,6 +172,7 @@ private:
                          ": expected no self-reference with reference = \"none\"");
       return;
     }
+    declaration_.chosen_references = !references.empty();
     if (references.empty()) references = default_references(declaration_.file);
     require_two_families(references);
   }

@@ -38,6 +38,7 @@ struct Declaration {
   std::vector<Method> methods;
   bool compared = true;            ///< false: reference = "none"
   std::vector<Method> references;  ///< empty unless compared
+  bool chosen_references = false;  ///< by [[reference]], and so in place of a closed form
   std::vector<Sweep> sweeps;
   std::optional<SelfReference> self_reference;
 };

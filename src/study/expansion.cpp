@@ -160,15 +160,16 @@ private:
     require_apart(times, declaration_.times_origin);
   }
 
-  /// Runs two references, unless the problem has a closed form or nothing is compared. Makes the
-  /// model, which checks what only it can check.
+  /// Runs two references, unless the problem has a closed form and no [[reference]] is given, or
+  /// nothing is compared. Makes the model, which checks what only it can check.
   void add_references() {
     SweepPoint& point = study_.sweep.back();
     const Method& first = declaration_.methods.front();
     const Scene scene = scene_of(first, first.ladder.front());
     guarded(first.name, [&] {
       const auto model = make_model(scene);
-      if (study_.compared) point.exact = closed_form(*model, point.times);
+      if (study_.compared && !declaration_.chosen_references)
+        point.exact = closed_form(*model, point.times);
     });
     if (point.has_closed_form()) return;
     for (const Method& method : declaration_.references)

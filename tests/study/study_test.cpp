@@ -173,6 +173,19 @@ TEST_F(StudyRuns, AClosedFormIsCalledExact) {
   EXPECT_EQ(json["rows"][0]["marked"].size(), 0u);
 }
 
+// It is that of a continuous foundation.
+TEST_F(StudyRuns, GivenReferencesTakeThePlaceOfAClosedForm) {
+  write("scene.toml",
+        test::read_text(std::string(GNOMON_SOURCE_DIR) + "/problems/winkler/pin.toml"));
+  write("study.toml", "scene = \"scene.toml\"\n[set]\nfoundation.points = 41\n" +
+                          method("esdirk-3", "tolerances = [1e-7]") +
+                          "[[reference]]\nintegrator = \"esdirk-5\"\ntolerances = [1e-8]\n"
+                          "[[reference]]\nintegrator = \"bdf\"\ntolerances = [1e-9]\n");
+  ASSERT_EQ(study().exit_code, 0);
+  EXPECT_EQ(json()["sweep"][0]["reference"]["closed_form"], false);
+  EXPECT_LT(std::stod(rows().front().at("shape_error")), 1e-5);  // 5.8e-4 from the closed form
+}
+
 // The worn volume of a constant load is k F v t, whatever the pressure.
 TEST_F(StudyRuns, AParameterSweepNeedsNoMethodAndNoReference) {
   write("study.toml", "reference = \"none\"\n" + head() + "wear.normal = \"conservative\"\n" +
