@@ -61,6 +61,26 @@ double gap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
   return std::isfinite(travel) ? std::max(0.0, travel) : 0;
 }
 
+/// How deep facets lie in those of the other side [length].
+template <int dim>
+double deepest_overlap(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x,
+                       Section section) {
+  const FacetGaps gaps = facet_gaps<dim>(pair.slave, pair.master, x, section, {-pair.reach, 0});
+  double least = 0;
+  for (const double gap : gaps[0]) least = std::min(least, gap);
+  return -least;
+}
+
+/// Whether its bodies stay where they are meshed until something presses them.
+template <int dim>
+bool stays(const MortarPair<dim>& pair, const Touching<dim>& touching) {
+  const auto still = [&](const auto& facets) {
+    return std::ranges::all_of(nodes_of_facets(facets),
+                               [&](int node) { return touching.direction.row(node).isZero(0); });
+  };
+  return still(pair.slave) && still(pair.master);
+}
+
 /// A node carries one multiplier: it is a slave in one pair. Tells why where it changes a slave.
 template <int dim>
 void tell_slaves_apart(const Scene& scene, std::vector<MortarPair<dim>>& pairs,
@@ -194,6 +214,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   }
   std::vector<std::string> reasons;
   std::vector<std::vector<Vector<dim>>> nearest, meshed;  // by pair; as loads move bodies, or not
+  std::vector<std::size_t> whens;                         // among the instants
   for (MortarPair<dim>& pair : parts.pairs) {
     // Facets of a shaft and its bore have gaps of their own.
     std::vector<double> gaps;
@@ -202,7 +223,8 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
     const double gap = *least;
     const auto when = static_cast<std::size_t>(least - gaps.begin());
     nearest.push_back(touching[when]);
-    meshed.push_back(in_space(parts.pairs, instants[when], parts.mesh.nodes));
+    whens.push_back(when);
+    meshed.push_back(in_space(parts.pairs, instants[whens.back()], parts.mesh.nodes));
     pair.reach = closed + gap + mean_size<dim>(pair.slave, nearest.back()) / 2;
     keep_facing_at<dim>(touching, parts.section(), pair);
     if (pair.slave.empty())
@@ -224,6 +246,8 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
     join_beside<dim>(nearest[k], pair,
                      [&](const auto& facet) { return own[k].contains(sorted(facet)); });
     pair.reach = 2 * (pair.reach + mean_size<dim>(pair.slave, nearest[k]));
+    if (stays(pair, Touching<dim>(parts, instants[whens[k]])))
+      pair.interference = deepest_overlap(pair, meshed[k], parts.section());
   }
   tell_slaves_apart(scene, parts.pairs, reasons);
   for (std::size_t k = 0; k < reasons.size(); ++k)

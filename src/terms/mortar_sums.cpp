@@ -195,8 +195,13 @@ typename MortarTerm<dim>::Surfaces MortarTerm<dim>::geometry(const Evaluation<di
 template <int dim>
 typename MortarTerm<dim>::Surfaces MortarTerm<dim>::surfaces(const Evaluation<dim>& at) const {
   Surfaces result = geometry(at);
-  for (std::size_t s = 0; s < sides_.size(); ++s)
-    if (sides_[s].slave) find_traction(at, sides_[s], result.sides[s]);
+  for (std::size_t s = 0; s < sides_.size(); ++s) {
+    const Side& side = sides_[s];
+    if (!side.slave) continue;
+    result.sides[s].gap +=
+        (1 - at.load_fraction) * pair(side).interference * patch(side).initial_area;
+    find_traction(at, side, result.sides[s]);
+  }
   add_masters(result);
   constexpr double rounding = 1e-12;  // of sums over facets, at the edge of contact
   double largest = 0;

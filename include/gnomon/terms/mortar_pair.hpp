@@ -24,8 +24,11 @@ struct MortarPair {
   /// Of the slave's and of the master's material about fixed points, in the steady motion.
   std::array<Tensor<dim>, 2> spins = {Tensor<dim>::Zero(), Tensor<dim>::Zero()};
   double friction = 0;
-  double slides = 1;                    ///< its sliding distance, by that of all (nominal_speed())
-  double reach = 0;                     ///< facets that are farther apart do not meet [length]
+  double slides = 1;  ///< its sliding distance, by that of all (nominal_speed())
+  double reach = 0;   ///< facets that are farther apart do not meet [length]
+  /// How deep bodies that nothing brings together lie in each other at rest: a load ramp begins
+  /// where they touch [length].
+  double interference = 0;
   std::array<std::string, 2> bodies{};  ///< names of the slave and of the master
   std::array<int, 2> numbers{};         ///< of them among the bodies
   /// Steady, of the slave's material and of the master's; read where they roll [length / time].
