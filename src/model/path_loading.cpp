@@ -11,6 +11,15 @@
 
 namespace gnomon {
 
+/// Whether bodies of pairs have left this part of the margin of the facets that they may meet.
+template <int dim>
+bool PathMarch<dim>::has_left_facets(const Alone& alone, const Phase<dim>& phase,
+                                     const FieldValues<dim>& at, double part) const {
+  const FieldId d = alone.fields().d, u = alone.fields().u;
+  return !near_->pairs.empty() &&
+         have_strayed(*near_, phase, deformed(near_->mesh, at.vector(d), at.vector(u)), part);
+}
+
 /// From bodies without load. Without `by_facets`, which finds the facets of pairs that may meet
 /// anew on the way, false where they do not stay at these.
 template <int dim>
@@ -28,27 +37,24 @@ bool PathMarch<dim>::press(const Phase<dim>& phase, bool by_facets) {
       alone.values = *on_the_way;
       alone.remember(on_the_way->vector(fields.memory));
     }
-    const auto strays = [&](const FieldValues<dim>& of, double part) {
-      return !near_->pairs.empty() &&
-             have_strayed(*near_, phase,
-                          deformed(near_->mesh, of.vector(fields.d), of.vector(fields.u)), part);
-    };
     RampOptions here = options;
     if (by_facets)
       here.strays = [&](std::span<const double> y, double part) {
-        return strays(alone.system.values(t_, y), part);
+        return has_left_facets(alone, phase, alone.system.values(t_, y), part);
       };
     const RampReport ramp =
         find_equilibrium(alone.equations, alone.system, here, alone.values, counters_,
                          [&alone](std::span<double> y) { alone.go_on_from(y); });
-    if (ramp.reached == 1 && !strays(alone.values, 1)) {
+    if (ramp.reached == 1 && !has_left_facets(alone, phase, alone.values, 1)) {
       keep(alone, last_);
       return true;
     }
     if (!by_facets && !near_->pairs.empty()) return false;
     options.most -= ramp.increments + ramp.failures;
-    if (!by_facets || ramp.increments == 0 || options.most <= 0)
+    if (!by_facets || ramp.increments == 0 || options.most <= 0) {
+      if (press_sliding(phase)) return true;
       throw SolutionError(failure_of(ramp, whole_.assembly(), phase));
+    }
     options.begin = ramp.reached;
     on_the_way = alone.values;
     come_near(phase, alone.values.vector(fields.u), 0);
@@ -80,6 +86,10 @@ FieldValues<dim> start_of_path(const WornBodyEquations<dim>& equations, Counters
 
 template bool PathMarch<2>::press(const Phase<2>&, bool);
 template bool PathMarch<3>::press(const Phase<3>&, bool);
+template bool PathMarch<2>::has_left_facets(const Alone&, const Phase<2>&, const FieldValues<2>&,
+                                            double) const;
+template bool PathMarch<3>::has_left_facets(const Alone&, const Phase<3>&, const FieldValues<3>&,
+                                            double) const;
 template void PathMarch<2>::load();
 template void PathMarch<3>::load();
 template FieldValues<2> start_of_path(const WornBodyEquations<2>&, Counters&);

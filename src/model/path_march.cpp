@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <gnomon/base/error.hpp>
 #include <gnomon/newton/algebraic_solver.hpp>
+#include <gnomon/newton/branch_search.hpp>
 
 #include "model/loads_beyond_friction.hpp"
 #include "model/near_facets.hpp"
@@ -167,12 +168,17 @@ void PathMarch<dim>::guess(Alone& alone, const Phase<dim>& phase, Carried by) co
 
 /// From the values at hand, which become the solution.
 template <int dim>
-bool PathMarch<dim>::solve(Alone& alone, std::string& reason) {
+bool PathMarch<dim>::solve(Alone& alone, std::string& reason, bool by_branches) {
   NewtonSolver newton(alone.system.structure(), counters_, newton_);
   std::vector<double> y(static_cast<std::size_t>(alone.system.structure().size));
   alone.system.numbering().gather(alone.values, y);
-  const NewtonReport report = newton.solve(algebraic_function(alone.system), y);
+  const std::vector<double> guess = y;
+  NewtonReport report = newton.solve(algebraic_function(alone.system), y);
   reason = report.reason;
+  if (!report.converged && by_branches) {
+    y = guess;
+    report = solve_by_branches(newton, alone.system, y);
+  }
   if (report.converged) alone.values = alone.system.values(t_, y);
   return report.converged;
 }
@@ -206,10 +212,12 @@ bool PathMarch<dim>::by_halves(Alone& target, const OnTheWay& on_the_way, std::s
 template const FieldValues<2>& PathMarch<2>::cycle();
 template void PathMarch<2>::keep(const Alone&, std::size_t);
 template bool PathMarch<2>::come_near(const Phase<2>&, const NodalField<2>&, double);
+template bool PathMarch<2>::solve(Alone&, std::string&, bool);
 template void PathMarch<2>::advance(std::size_t, const OnTheWay&, bool);
 template const FieldValues<3>& PathMarch<3>::cycle();
 template void PathMarch<3>::keep(const Alone&, std::size_t);
 template bool PathMarch<3>::come_near(const Phase<3>&, const NodalField<3>&, double);
+template bool PathMarch<3>::solve(Alone&, std::string&, bool);
 template void PathMarch<3>::advance(std::size_t, const OnTheWay&, bool);
 
 }  // namespace gnomon

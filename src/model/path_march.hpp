@@ -45,6 +45,10 @@ public:
 private:
   struct Alone;
   bool press(const Phase<dim>& phase, bool by_facets);
+  bool press_sliding(const Phase<dim>& phase);
+  NodalField<dim> slipping(const std::vector<ContactNode<dim>>& nodes, double part) const;
+  bool has_left_facets(const Alone& alone, const Phase<dim>& phase, const FieldValues<dim>& at,
+                       double part) const;
   void keep(const Alone& alone, std::size_t phase);
   void keep_near(Alone alone, std::size_t to);
   bool come_near(const Phase<dim>& at, const NodalField<dim>& u, double part);
@@ -59,7 +63,7 @@ private:
   void start_from_last(Alone& alone) const;
   enum class Carried { wholly, by_shear };
   void guess(Alone& alone, const Phase<dim>& phase, Carried by) const;
-  bool solve(Alone& alone, std::string& reason);
+  bool solve(Alone& alone, std::string& reason, bool by_branches = false);
   bool by_halves(Alone& target, const OnTheWay& on_the_way, std::string& reason);
   [[noreturn]] void refuse(const Phase<dim>& phase, const std::string& reason) const;
 

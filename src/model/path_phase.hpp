@@ -19,8 +19,9 @@ struct PathMarch<dim>::Alone {
   FieldValues<dim> values;
   double t;
 
-  Alone(const PathMarch& march, const Phase<dim>& phase)
-      : equations(march.near_, {phase}),
+  Alone(const PathMarch& march, const Phase<dim>& phase) : Alone(march, phase, march.near_) {}
+  Alone(const PathMarch& march, const Phase<dim>& phase, std::shared_ptr<const Assembly<dim>> body)
+      : equations(std::move(body), {phase}),
         system(equations.composition(), equations.deformation()),
         values(*equations.composition()->fields),
         t(march.t_) {

@@ -8,9 +8,6 @@
 
 namespace gnomon {
 
-namespace {
-
-/// With a part of the coefficients of friction.
 template <int dim>
 std::shared_ptr<const Assembly<dim>> with_friction(const Assembly<dim>& body, double part) {
   AssemblyParts<dim> parts = body;
@@ -18,8 +15,6 @@ std::shared_ptr<const Assembly<dim>> with_friction(const Assembly<dim>& body, do
   for (MortarPair<dim>& pair : parts.pairs) pair.friction *= part;
   return std::make_shared<const Assembly<dim>>(std::move(parts));
 }
-
-}  // namespace
 
 template <int dim>
 std::vector<Vector<dim>> PhaseStart<dim>::positions(const FieldValues<dim>& of) const {
@@ -118,6 +113,8 @@ RampReport PhaseStart<dim>::find() {
   return by_facets;
 }
 
+template std::shared_ptr<const Assembly<2>> with_friction(const Assembly<2>&, double);
+template std::shared_ptr<const Assembly<3>> with_friction(const Assembly<3>&, double);
 template class PhaseStart<2>;
 template class PhaseStart<3>;
 

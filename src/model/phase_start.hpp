@@ -9,6 +9,10 @@
 
 namespace gnomon {
 
+/// With a part of the coefficients of friction.
+template <int dim>
+std::shared_ptr<const Assembly<dim>> with_friction(const Assembly<dim>& body, double part);
+
 /// Where friction does not stick, so that no phase of a cycle knows of another.
 template <int dim>
 class PhaseStart {
