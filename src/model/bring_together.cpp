@@ -112,15 +112,20 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
       const std::size_t side = stays(0);
       along[side].normalize();
       const Vector<dim> in_space = place.of[side].turn * along[side];
-      double travel = std::numeric_limits<double>::infinity();  // of all pairs of the two
-      for (const MortarPair<dim>& other : parts.pairs) {
-        const int slave = part[other.slave.front()[0]], master = part[other.master.front()[0]];
-        if (std::minmax(slave, master) != std::minmax(numbers[0], numbers[1])) continue;
-        travel = std::min(
-            travel, travel_to_touch<dim>(
-                        other, slave == numbers[side] ? Vector<dim>(-in_space) : in_space, x));
-      }
+      const auto travel_along = [&](const Vector<dim>& way) {  // by all pairs of the two
+        double least = infinity;
+        for (const MortarPair<dim>& other : parts.pairs) {
+          const int slave = part[other.slave.front()[0]], master = part[other.master.front()[0]];
+          if (std::minmax(slave, master) != std::minmax(numbers[0], numbers[1])) continue;
+          const bool is_slave = slave == numbers[side];
+          least = std::min(least, travel_to_touch<dim>(other, is_slave ? -way : way, x));
+        }
+        return least;
+      };
+      const double travel = travel_along(in_space);
       if (!std::isfinite(travel)) continue;
+      // As a shaft that was pressed into a hub: away from one side it is deeper in the other.
+      if (travel < 0 && travel_along(-in_space) < 0) continue;
       // Farther than what it rests on: both would go the same way without pressing on each other.
       const auto rest = pressed.find(numbers[1 - side]);
       const double far =
