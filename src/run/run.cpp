@@ -92,10 +92,7 @@ private:
       const Interruptible here(hooks_.interrupted);
       state() = model().start(counters_);
     }
-    if (epochs_.replace_overdue(state())) {
-      watch_model();
-      hooks_.on_epoch(epochs_.successor());
-    }
+    replace_overdue();
     Observation observed = steps_.observe({});
     if (policy_.until) excess(*policy_.until, observed);  // refuses an unknown one
     record({}, std::move(observed));
@@ -109,6 +106,13 @@ private:
     estimate_phase_error();
     steps_.begin();
     if (store_.checkpoint_is_due()) checkpoint();
+  }
+
+  /// Without an epoch: a resumed run begins as the one before did.
+  void replace_overdue() {
+    if (!epochs_.replace_overdue(state())) return;
+    watch_model();
+    hooks_.on_epoch(epochs_.successor());
   }
 
   /// What looks at the steps of the model of this epoch.
@@ -128,6 +132,7 @@ private:
     memory_ = unpacked(from.checkpoint.numbers, model().system().structure());
     if (state().t != from.row.t)
       throw InputError("the time of the checkpoint is not that of its row in the history");
+    replace_overdue();
     counters_ = from.row.counters;
     observed_ = from.row.scalars;
     outcome_.phase_errors = from.phase_errors;
@@ -199,7 +204,7 @@ private:
     }
     outcome_.restarts += !steps_.follow(change->same_unknowns);
     store_.begin_epoch(std::move(change->start), epochs_.number(), model());
-    if (store_.keeps_checkpoints()) checkpoint();
+    if (steps_.have_begun() && store_.keeps_checkpoints()) checkpoint();
   }
 
   /// Whether the last good state is the last one of the run, by time.until.

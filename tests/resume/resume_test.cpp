@@ -245,6 +245,37 @@ TEST_F(Resume, GoesOnToWhereMoreBoundaryIsInReach) {
   EXPECT_NEAR(wear(history.back()) / (8000 * 2e-9 * 500 * 10.8333), 1, 1e-4);  // k v F t
 }
 
+// A support carries the pin, before it is pressed, to facets of the plate that its model is made
+// without.
+TEST_F(Resume, GoesOnWhereBodiesHaveComeToOtherFacets) {
+  if (!reads_mesh_files()) GTEST_SKIP() << "built without Gmsh's library";
+  const std::filesystem::path scene = file("scene").replace_filename("pin.toml");
+  std::ofstream(file("scene").replace_filename("pin.geo")) << R"(
+SetFactory("OpenCASCADE"); Mesh.MeshSizeMin = 0.5; Mesh.MeshSizeMax = 0.5;
+Rectangle(1) = {-2, 0, 0, 4, 3}; Rectangle(2) = {-8, -3, 0, 16, 3};
+Physical Surface("pin") = {1}; Physical Surface("plate") = {2};
+Physical Curve("foot") = {1}; Physical Curve("top") = {3}; Physical Curve("base") = {5};
+)";
+  std::ofstream(scene) << R"(problem = "worn_body"
+mesh.file = "pin.geo"
+body = [ { name = "pin", young_modulus = 1e4, poisson_ratio = 0.3, material = "linear" },
+         { name = "plate", young_modulus = 2e4, poisson_ratio = 0.3, material = "linear" } ]
+pair = [ { bodies = ["pin", "plate"] } ]
+motion = [ { body = "plate", velocity = [10.0, 0.0] } ]
+support = [ { on = "base" }, { on = "top", directions = ["x"], value = [2.5] } ]
+load = [ { on = "top", force = [0.0, -100.0] } ]
+wear = { on = "foot", coefficient = 1e-6 }
+time.end = 100
+output.checkpoint_seconds = 1e-9
+integrator.nonlinear_fraction = 0
+)";
+  run_scene(scene, {}, file("whole"));
+  run_scene(scene, {}, file("cut"), 2);
+  ASSERT_EQ(ResultReader(file("cut")).status(), "interrupted");
+  ASSERT_EQ(resume(file("cut")), 0);
+  expect_same_steps(file("cut"), file("whole"), 1e-6);
+}
+
 // Times of the load and output times that differ only by rounding from the end are replaced by it;
 // the end may change.
 TEST_F(Resume, GoesOnToAMomentBehindWhatWasReached) {

@@ -50,12 +50,13 @@ enum class Cut {
   killed        ///< as by a kill, between a step and its checkpoint
 };
 
-/// Runs a scene in problems/ for a limited number of steps.
-inline RunOutcome run_scene(const std::string& scene, const Overrides& overrides,
+/// Runs a scene, in problems/ if its path is relative, for a limited number of steps.
+inline RunOutcome run_scene(const std::filesystem::path& scene, const Overrides& overrides,
                             const std::filesystem::path& file,
                             long most_steps = std::numeric_limits<long>::max(),
                             Cut cut = Cut::interrupted) {
-  const Setup setup = set_up(GNOMON_SOURCE_DIR "/problems/" + scene, overrides);
+  const Setup setup =
+      set_up(std::filesystem::path(GNOMON_SOURCE_DIR "/problems") / scene, overrides);
   const IntegratorSettings settings = integrator_settings(setup.scene, *setup.model);
   ResultWriter writer(file, run_header(setup), setup.model->grid, Earlier::replaced);
   struct Killed : std::exception {};
