@@ -49,6 +49,7 @@ template <int dim>
 std::string loads_beyond_friction(const Assembly<dim>& body, const Phase<dim>& phase, double t) {
   if (body.pairs.size() != 1 || body.interface.friction_factor.varies()) return {};
   const MortarPair<dim>& pair = body.pairs.front();
+  if (pair.interference > 0) return {};  // what presses is not the loads alone
   double least = 1;
   for (std::size_t c = 0; c < body.contact_nodes.size(); ++c)
     if (body.carries[c])

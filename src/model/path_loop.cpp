@@ -1,5 +1,6 @@
 // The loop of a path: where the partner is in its phases, and the force that moves it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gnomon/base/processes.hpp>
 #include <limits>
@@ -34,13 +35,15 @@ Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase
 }
 
 /// Keeps what is not across planes of symmetry, which cut the contact where supports hold nodes
-/// that touch in one direction alone, in a plane across it. The other half pushes back there.
+/// that touch in one direction alone, of both bodies, in a plane across it. The other half pushes
+/// back there.
 template <int dim>
 Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
                              const std::vector<PhaseContact<dim>>& phases) {
   constexpr double rounding = 1e-9;
   constexpr double none = std::numeric_limits<double>::infinity();
   Vector<dim> low = Vector<dim>::Constant(none), high = -low;  // of what is held along each axis
+  std::array<std::array<bool, dim>, 2> held{};                 // nodes of a slave, and others
   for (const PhaseContact<dim>& phase : phases)
     for (std::size_t c = 0; c < phase.nodes.size(); ++c) {
       const int node = assembly.contact_nodes[c].node;
@@ -48,13 +51,17 @@ Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
       if (!phase.nodes[c].active || by.sum() != 1) continue;
       Eigen::Index i = 0;
       by.maxCoeff(&i);
+      held[assembly.carries[c] != 0][static_cast<std::size_t>(i)] = true;
       low[i] = std::min(low[i], assembly.mesh.nodes[node][i]);
       high[i] = std::max(high[i], assembly.mesh.nodes[node][i]);
     }
   const double size = Box<dim>::around(assembly.mesh.nodes).diagonal();
   Vector<dim> kept = Vector<dim>::Ones();
-  for (int i = 0; i < dim; ++i)
-    if (high[i] >= low[i] && high[i] - low[i] <= rounding * size) kept[i] = 0;
+  for (int i = 0; i < dim; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const bool all = assembly.pairs.empty() || (held[0][at] && held[1][at]);
+    if (all && high[i] >= low[i] && high[i] - low[i] <= rounding * size) kept[i] = 0;
+  }
   const CyclicMotion<dim>& motion = assembly.cycle->motion;
   const auto keep_moved = [&](const Cycle& cycle) {
     for (int i = 0; i < dim; ++i)

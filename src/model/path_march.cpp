@@ -10,6 +10,7 @@
 #include "model/loads_beyond_friction.hpp"
 #include "model/near_facets.hpp"
 #include "model/path_phase.hpp"
+#include "model/wear_start.hpp"
 
 namespace gnomon {
 
@@ -179,8 +180,14 @@ bool PathMarch<dim>::solve(Alone& alone, std::string& reason, bool by_branches) 
     y = guess;
     report = solve_by_branches(newton, alone.system, y);
   }
-  if (report.converged) alone.values = alone.system.values(t_, y);
-  return report.converged;
+  if (!report.converged) return false;
+  const FieldValues<dim> found = alone.system.values(t_, y);
+  if (!near_->pairs.empty() && flies_away(alone.equations, found)) {
+    reason = "a body is carried away from what it touched";
+    return false;
+  }
+  alone.values = found;
+  return true;
 }
 
 /// Guesses from phases on the way, all after the last one.

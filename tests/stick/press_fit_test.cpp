@@ -1,6 +1,7 @@
 // Bodies whose meshes overlap start as they are pressed on each other: the overlap grows.
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,9 @@ namespace gnomon::press_fit_test {
 namespace {
 
 using namespace testing;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A solid shaft of 10.01 mm in a hub of 10 to 20 mm, of revolution.
 constexpr const char* fit = R"(
@@ -74,6 +78,20 @@ TEST_F(PressFit, StartsWithLittleFriction) {
   }
   // All but a node or two slip, so that pressures are linear in friction.
   EXPECT_NEAR((largest[0] - largest[1]) / (largest[1] - largest[2]), 1, 0.02);
+}
+
+/// The face of the hub that is held ends where it touches the shaft, and is no plane of symmetry.
+TEST_F(PressFit, FrictionCarriesTheLoad) {
+  const auto model = this->model(scene, {"pair.1.friction=0.3", "load.1.force=[0.0, 5e3]"});
+  Counters counters;
+  const State start = model->start(counters);
+  EXPECT_NEAR(observed(*model, start, "friction_force") / 5e3, 1, 1e-3);
+}
+
+/// The overlap presses the bodies, and the loads do not.
+TEST_F(PressFit, WhatFrictionDoesNotHoldIsNotToldByTheLoadsAlone) {
+  EXPECT_THAT(failed_start(scene, {"load.1.force=[0.0, 5e4]"}),
+              AllOf(HasSubstr("no equilibrium on the path"), Not(HasSubstr("f P ="))));
 }
 
 TEST_F(PressFit, JacobianOnTheWayEqualsFiniteDifferences) {
