@@ -104,6 +104,7 @@ void respect_area(const Goals& goals, std::vector<double>& errors) {
     if (name == "contact_area" || name == "contact_half_width" || name == "mean_pressure")
       errors[i] = std::max(std::abs(errors[i]), goals.area);
     if (name == "max_pressure") errors[i] = std::max(std::abs(errors[i]), goals.peak_at_edge);
+    if (name == "wear_depth") errors[i] = std::max(std::abs(errors[i]), goals.depth_at_edge);
     if (name == "inner_pressure") errors[i] = std::abs(errors[i]) + goals.pressure_open;
   }
 }

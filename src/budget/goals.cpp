@@ -78,6 +78,23 @@ double peak_at_edge(const ContactSurface& surface,
   return inside > 0 ? 1 - inside / most : 0;
 }
 
+/// Goals::depth_at_edge.
+double depth_at_edge(const ContactSurface& surface,
+                     const std::vector<std::vector<std::size_t>>& neighbours) {
+  const auto deepest = std::ranges::max_element(surface.wear_depth);
+  if (surface.dim != 2 || deepest == surface.wear_depth.end() || !(*deepest > 0)) return 0;
+  const auto end = static_cast<std::size_t>(deepest - surface.wear_depth.begin());
+  if (end >= neighbours.size() || neighbours[end].size() != 1) return 0;
+  const std::size_t near = neighbours[end].front();
+  const auto far = std::ranges::find_if(neighbours[near], [&](std::size_t j) { return j != end; });
+  if (far == neighbours[near].end()) return 0;
+  const double slope = (surface.wear_depth[near] - surface.wear_depth[*far]) /
+                       distance(surface.initial[near], surface.initial[*far]);
+  const double goes_on =
+      surface.wear_depth[near] + slope * distance(surface.initial[end], surface.initial[near]);
+  return std::max(0.0, 1 - std::max(goes_on, surface.wear_depth[near]) / *deepest);
+}
+
 /// With the sizes of the elements at the surface.
 void add_edges(const Grid& grid, const std::vector<std::vector<std::size_t>>& neighbours,
                Goals& goals) {
@@ -146,8 +163,10 @@ std::optional<Goals> goals_of(const Model& model, const State& state, const Obse
   goals.inner = budget::inner_nodes(goals.surface, neighbours);
   goals.peak_at_edge = peak_at_edge(goals.surface, neighbours);
   if (model.grid) add_edges(*model.grid, neighbours, goals);
-  if (touching_bodies(goals) > 1)
+  if (touching_bodies(goals) > 1) {
+    goals.depth_at_edge = depth_at_edge(goals.surface, neighbours);
     goals.inner = budget::without_edges(goals.surface, neighbours, goals.inner);
+  }
   if (const auto difference = wear_difference(observed); difference && *difference != 0)
     goals.ledger = std::abs(*difference / *value_of(observed, "worn_volume"));
   const auto add = [&](const char* name) {

@@ -91,15 +91,14 @@ TEST(Extrapolation, OfCoarseMeshesIsNotFarMoreThanTheRunAllows) {
 
 TEST(Extrapolation, OfAnAreaIsAtLeastWhatItsLastNodesLeaveOpen) {
   Goals goals;
-  goals.values = {{"contact_area", "mm^2", 1},
-                  {"mean_pressure", "MPa", 1},
-                  {"approach", "mm", 1},
-                  {"inner_pressure", "MPa", 1},
-                  {"max_pressure", "MPa", 1}};
-  goals.area = 0.03, goals.pressure_open = 0.02, goals.peak_at_edge = 0.2;
-  std::vector<double> errors = {0.01, -0.05, 0.01, -0.01, 0.01};
+  goals.values = {{"contact_area", "mm^2", 1}, {"mean_pressure", "MPa", 1},
+                  {"approach", "mm", 1},       {"inner_pressure", "MPa", 1},
+                  {"max_pressure", "MPa", 1},  {"wear_depth", "mm", 1}};
+  goals.area = 0.03, goals.pressure_open = 0.02;
+  goals.peak_at_edge = 0.2, goals.depth_at_edge = 0.1;
+  std::vector<double> errors = {0.01, -0.05, 0.01, -0.01, 0.01, -0.01};
   respect_area(goals, errors);
-  EXPECT_EQ(errors, (std::vector<double>{0.03, 0.05, 0.01, 0.03, 0.2}));
+  EXPECT_EQ(errors, (std::vector<double>{0.03, 0.05, 0.01, 0.03, 0.2, 0.1}));
   errors[0] = not_known;
   respect_area(goals, errors);
   EXPECT_TRUE(std::isnan(errors[0]));

@@ -33,6 +33,10 @@ struct Goals {
   bool by_ends = false;
   /// What of max_pressure a last closed node has more than all inside of the contact, as a part.
   double peak_at_edge = 0;
+  /// What of wear_depth the end of a surface in the plane has more than what the depths beside it
+  /// go on to, as a part, where two bodies touch: beside it, the other one wears by half an element
+  /// on any mesh.
+  double depth_at_edge = 0;
   /// Those that the problem has of worn_volume, wear_depth, profile, contact_half_width or (bodies
   /// in space and of revolution) contact_area, mean_pressure, inner_pressure, max_pressure,
   /// approach. profile is the paper's norm of the change of shape. mean_pressure is contact_force
