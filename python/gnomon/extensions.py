@@ -2,6 +2,7 @@
 
 import keyword
 import math
+import numbers
 import os
 import pathlib
 import re
@@ -32,7 +33,7 @@ def _checked_constants(constants):
                                      f"({' '.join(_VARIABLES)}), got {name!r}")
         if name in taken - _registered_constants:
             raise _gnomon.InputError(f"a constant of a wear law: wear.{name} is a key of scenes already")
-        if not math.isfinite(value):
+        if not isinstance(value, numbers.Real) or not math.isfinite(value):
             raise _gnomon.InputError(f"the constant {name} of a wear law: expected a finite number, got {value!r}")
     _registered_constants.update(constants)
     return constants

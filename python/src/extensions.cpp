@@ -212,20 +212,26 @@ void register_wear_law(const std::string& name, py::object rate,
                        const std::map<std::string, double>& constants, const std::string& help) {
   const Registered kept = registered(std::move(rate));
   add_or_replace<WearLawKind>(
-      {.name = name, .help = help, .keys = keys_of(constants), .make = [=](const Scene& scene) {
-         std::map<std::string, double> values;
-         for (const auto& [constant, own] : constants) {
-           const std::string key = "wear." + constant;
-           if (!scene.knows(key))
-             throw InputError(scene.where("wear.law") + ": the law \"" + name +
-                              "\" was registered again, with the constant " + constant +
-                              ", after this scene was read; expected a scene that is read again");
-           values[constant] = scene.real_if(key).value_or(own);
-         }
-         return WearLaw({.rate = [kept, values](const WearInput& at, std::span<const char>) {
-           return in_python([&] { return wear_rate(*kept, at, values); });
-         }});
-       }});
+      {.name = name,
+       .help = help,
+       .keys = keys_of(constants),
+       .make =
+           [=](const Scene& scene) {
+             std::map<std::string, double> values;
+             for (const auto& [constant, own] : constants) {
+               const std::string key = "wear." + constant;
+               if (!scene.knows(key))
+                 throw InputError(
+                     scene.where("wear.law") + ": the law \"" + name +
+                     "\" was registered again, with the constant " + constant +
+                     ", after this scene was read; expected a scene that is read again");
+               values[constant] = scene.real_if(key).value_or(own);
+             }
+             return WearLaw({.rate = [kept, values](const WearInput& at, std::span<const char>) {
+               return in_python([&] { return wear_rate(*kept, at, values); });
+             }});
+           },
+       .reads_coefficient = false});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gnomon/base/error.hpp>
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/scene/toml_key.hpp>
+#include <gnomon/wear_laws/wear_law_kind.hpp>
 
 #include "expressions/expression_text.hpp"
 
@@ -12,9 +13,18 @@ namespace gnomon {
 
 namespace {
 
+bool is_expression(const Scene& scene) {
+  return scene.text("wear.law") == "expression";
+}
+
+/// Whether a law that is no expression reads k.
+bool law_reads_coefficient(const Scene& scene) {
+  return Registry<WearLawKind>::find(scene.text("wear.law"), "wear law").reads_coefficient;
+}
+
 /// Whether the law of a surface may read k.
 bool reads_coefficient(const Scene& scene, const std::string& surface) {
-  if (scene.text("wear.law") != "expression") return true;
+  if (!is_expression(scene)) return law_reads_coefficient(scene);
   const std::string own = "wear.surfaces." + toml_key(surface) + ".rate";
   return tokens_in(scene.text(scene.given(own) ? own : "wear.rate")).contains("k");
 }
@@ -43,7 +53,8 @@ void require_surface_names(const Scene& scene) {
 }
 
 void require_coefficient(const Scene& scene) {
-  if (!scene.knows("wear.rate") || scene.has("wear.coefficient") || !reads_in_rates(scene, "k"))
+  if (!scene.knows("wear.rate") || scene.has("wear.coefficient") || !reads_in_rates(scene, "k") ||
+      (!is_expression(scene) && !law_reads_coefficient(scene)))
     return;
   if (scene.given("wear.on")) require_surface_names(scene);
   const std::vector<std::string> names = without_coefficient(scene);

@@ -221,6 +221,22 @@ def test_laws_keep_their_own_constants(springs):
     assert worn[1] / worn[0] == pytest.approx(3, rel=1e-2)
 
 
+def test_a_law_needs_no_coefficient():
+    gnomon.register_wear_law("python-own", lambda p, v, h, q, t, s, x, K: K * p * v, {"K": 1e-5})
+    x = numpy.linspace(-1, 1, 5)
+    points = numpy.array([(a, b) for b in (-1, 0) for a in x])
+    cells = numpy.array([(i, i + 1, i + 6, i + 5) for i in range(4)])
+    lines = {name: numpy.stack([nodes[:-1], nodes[1:]], -1)
+             for name, nodes in (("bottom", numpy.arange(5)), ("top", numpy.arange(5, 10)))}
+    scene = gnomon.Scene.from_dict({
+        "problem": "worn_body", "body": {"young_modulus": 1e3, "poisson_ratio": 0.3}, "support": [{"on": "bottom"}],
+        "counter_body": {"shape": "plane", "normal": [0, -1], "motion": {"velocity": [2, 0]},
+                         "press": {"direction": [0, -1], "force": 10}},
+        "wear": {"on": ["top"], "law": "python-own"}, "time.end": 50})
+    worn = gnomon.run(gnomon.assemble(scene, points, cells, lines)).history["worn_volume"][-1]
+    assert worn == pytest.approx(1e-5 * 10 * 2 * 50, rel=1e-4)
+
+
 @pytest.mark.parametrize("answer", [None, "1", 1j, numpy.array([1.0, 2.0])])
 def test_a_law_that_returns_no_number_is_told(springs, answer):
     gnomon.register_wear_law("python-no-number", lambda *_: answer)
@@ -230,7 +246,8 @@ def test_a_law_that_returns_no_number_is_told(springs, answer):
 
 @pytest.mark.parametrize("name, rate, constants", [
     ("", abs, {}), ("a b", abs, {}), (3, abs, {}), ("x", 3, {}), ("x", abs, {"p": 1}), ("x", abs, {"rate": 1}),
-    ("x", abs, {"a b": 1}), ("x", abs, {"K": float("nan")}), ("x", abs, {"lambda": 1}),
+    ("x", abs, {"a b": 1}), ("x", abs, {"K": float("nan")}), ("x", abs, {"K": "a"}),
+    ("x", abs, {"lambda": 1}),
 ])
 def test_names_that_cannot_be_keys_are_refused(name, rate, constants):
     with pytest.raises((gnomon.InputError, TypeError)):

@@ -20,6 +20,7 @@ struct WearLawKind {
   /// because they are in the tables of all scenes.
   std::vector<Key> keys;
   std::function<WearLaw(const Scene&)> make;
+  bool reads_coefficient = true;  ///< whether `make` needs wear.coefficient
 
   std::string missing() const { return make ? "" : "make"; }  ///< for Registry
 };
