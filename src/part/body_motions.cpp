@@ -118,8 +118,9 @@ BodyCycle<dim> read_motion(const Scene& scene, const std::string& table, Section
   if (body.cycle.rotation) body.axis = read_axis<dim>(scene, table, rotation, section);
   if (section == Section::meridian) put_in_meridian(scene, cycle, body.cycle);
   if (!body.moves() && !scene.given(table + ".velocity") && !scene.given(table + ".rotation"))
-    throw InputError(fmt::format("{}: [[motion]]: expected {}.velocity, .rotation or .cycle",
-                                 scene.path().string(), table));
+    throw InputError(fmt::format("{}: [[motion]]: expected {}.velocity, .rotation or .cycle{}",
+                                 scene.path().string(), table,
+                                 scene.given(table + ".force") ? " beside the force" : ""));
   return body;
 }
 

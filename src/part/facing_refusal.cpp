@@ -80,9 +80,10 @@ void refuse_facing(const Scene& scene, const std::string& table, const ImportedB
     if (!idle.empty())
       throw InputError(fmt::format(
           "{}: expected surfaces of \"{}\" and \"{}\" that face each other, but \"{}\" {} none, "
-          "and what is across the edges of a surface that wears does not take part",
+          "and what is across the edges of a surface that wears takes no part unless "
+          "{}.surfaces names what touches",
           scene.where("wear.on"), one, other, fmt::join(idle, "\", \""),
-          idle.size() == 1 ? "faces" : "face"));
+          idle.size() == 1 ? "faces" : "face", table));
     if (const double overlap = overlap_of<dim>(whole, x.front()); overlap > 0)
       reason = fmt::format(
           "\"{}\" and \"{}\" overlap by about {:.3g} mm: their meshes, or "
