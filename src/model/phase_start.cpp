@@ -31,11 +31,18 @@ void PhaseStart<dim>::lift() {
   values_ = std::move(unloaded);
 }
 
+/// Ends on the way where bodies come to other facets, without which increments fail in vain.
 template <int dim>
 RampReport PhaseStart<dim>::ramp() {
+  const Assembly<dim>& body = alone_.assembly();
   ComposedSystem<dim> contact(alone_.composition(), alone_.without_creepage());
   contact.freeze(values_, t_);
-  return find_equilibrium(alone_, contact, ramp_options(alone_.assembly()), values_, counters_);
+  RampOptions options = ramp_options(body);
+  if (!body.pairs.empty())
+    options.strays = [&](std::span<const double> y, double part) {
+      return part < 1 && have_strayed(body, phase(), positions(contact.values(t_, y)), part);
+    };
+  return find_equilibrium(alone_, contact, options, values_, counters_);
 }
 
 /// With the facets that bodies have come to, again and again, by Newton's method alone. Whether
