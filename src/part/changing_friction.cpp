@@ -7,9 +7,11 @@
 #include <gnomon/model/wear_scene.hpp>
 #include <gnomon/scene/keys.hpp>
 #include <gnomon/wear_laws/wear_law_kind.hpp>
+#include <set>
 
 #include "expressions/expression_tables.hpp"
 #include "expressions/expression_text.hpp"
+#include "mesh/facet_table.hpp"
 #include "part/histories.hpp"
 #include "part/surfaces.hpp"
 
@@ -87,6 +89,23 @@ FrictionFactor read_friction_factor(const Scene& scene, const AssemblyParts<dim>
   return factor;
 }
 
+template <int dim>
+void tell_of_unworn_friction(const Scene& scene, AssemblyParts<dim>& parts) {
+  if (!reads_in_friction(scene, "h")) return;
+  std::set<int> worn;
+  for (const Surface<dim>& surface : parts.interface.surfaces)
+    if (surface.wears) worn.merge(nodes_of_facets(surface.facets));
+  for (const MortarPair<dim>& pair : parts.pairs)
+    if (std::ranges::none_of(nodes_of_facets(pair.slave),
+                             [&](int node) { return worn.contains(node); }))
+      parts.remarks.push_back(fmt::format(
+          "friction.factor has no effect by h between \"{0}\" and \"{1}\": it reads the "
+          "depth of \"{0}\", which does not wear",
+          pair.bodies[0], pair.bodies[1]));
+}
+
+template void tell_of_unworn_friction(const Scene&, AssemblyParts<2>&);
+template void tell_of_unworn_friction(const Scene&, AssemblyParts<3>&);
 template FrictionFactor read_friction_factor(const Scene&, const AssemblyParts<2>&);
 template FrictionFactor read_friction_factor(const Scene&, const AssemblyParts<3>&);
 

@@ -17,4 +17,8 @@ bool reads_in_friction(const Scene& scene, const std::string& name);
 template <int dim>
 FrictionFactor read_friction_factor(const Scene& scene, const AssemblyParts<dim>& parts);
 
+/// That a factor reads the depth of a slave that does not wear.
+template <int dim>
+void tell_of_unworn_friction(const Scene& scene, AssemblyParts<dim>& parts);
+
 }  // namespace gnomon::part

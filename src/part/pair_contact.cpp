@@ -15,6 +15,7 @@
 #include "model/rigid_balance.hpp"
 #include "part/boundary_beside.hpp"
 #include "part/carried_bodies.hpp"
+#include "part/changing_friction.hpp"
 #include "part/facing_facets.hpp"
 #include "part/groups.hpp"
 #include "part/pair_cycle.hpp"
@@ -266,6 +267,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   parts.interface.surfaces = std::move(surfaces);
   tell_of_edges(parts);
   tell_of_turning(parts);
+  tell_of_unworn_friction(scene, parts);
 }
 
 namespace {

@@ -20,6 +20,7 @@ namespace {
 using namespace testing;
 using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A pad, 0.8 mm wide, on a base of 1.2 mm.
 constexpr const char* pad_on_base = R"(Point(1) = {0, -0.5, 0}; Point(2) = {1.2, -0.5, 0};
@@ -487,6 +488,19 @@ TEST_F(PairFretting, AFactorIsAsAnotherCoefficient) {
   }
   EXPECT_NEAR(work[1] / work[0], 1, 1e-6);
   expect_refused(similar(), {"friction.factor=\"2\"", "wear.rate=\"1e-8*q\""}, "expected no q");
+}
+
+/// The cap carries the tractions, and friction reads its depth.
+TEST_F(PairFretting, AFactorByTheDepthOfWhatDoesNotWearIsTold) {
+  for (const std::string worn : {"face", "round"}) {
+    const auto model = this->model(
+        similar(), {"mesh.file=coarse_two.geo", "wear.on=" + worn, "friction.factor=\"1 + h\""});
+    const auto told = Contains(HasSubstr("no effect by h between \"cap\" and \"flat\""));
+    if (worn == "face")
+      EXPECT_THAT(model->remarks, told);
+    else
+      EXPECT_THAT(model->remarks, Not(told));
+  }
 }
 
 /// Two phases, in which both bodies are turned together and the master goes on by `stroke`.
