@@ -16,6 +16,7 @@ namespace {
 using test::Outcome;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 namespace fs = std::filesystem;
 
 class Plot : public test::ProgramTest {
@@ -97,6 +98,17 @@ TEST_F(Plot, DrawsBodiesInSpaceAndTwoResultsBesideEachOther) {
       expect_figure(std::string("figures/") + name + kind);
   EXPECT_THAT(outcome.out, HasSubstr("four-shape: skipped"));
   expect_figure("figures/two steps-four-pressure");
+}
+
+TEST_F(Plot, HasNoPressureWhereNothingTouches) {
+  const Outcome made = gnomon({"run", GNOMON_SOURCE_DIR "/problems/stressed_surface/wave.toml",
+                               "--set", "time.end=1", "--quiet", "-o", "wave.h5"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Outcome outcome = gnomon({"plot", "wave.h5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(folder() / "figures/wave-shape.png"));
+  EXPECT_FALSE(fs::exists(folder() / "figures/wave-pressure.png"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("pressure")));
 }
 
 TEST_F(Plot, GeometryInSpace) {

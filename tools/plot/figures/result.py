@@ -183,6 +183,11 @@ class Result:
         return values
 
     @property
+    def has_contact(self):
+        """Whether a partner presses on the surface."""
+        return "max_pressure" in self.history.dtype.names
+
+    @property
     def has_path(self):
         """Whether friction may stick, so that phases are a path."""
         return self._read("gnomon/phase_loop") is not None

@@ -11,13 +11,12 @@ from . import pressure, rolling, shape, shapes, spectrum, study, style, surface,
 from .complaints import BadInput, Unsuitable, reason_of
 from .result import Result
 
+CONTACT_FIGURES = {"pressure": pressure.draw, "pressure-map": surface.draw_pressure}
 RESULT_FIGURES = {
     "shape": shape.draw,
-    "pressure": pressure.draw,
     "history": history.draw,
     "mesh": mesh.draw,
     "wear": wear.draw,
-    "pressure-map": surface.draw_pressure,
     "depth-map": surface.draw_depth,
 }
 CYCLE_FIGURES = {"cycle": cycle.draw}  # of results with phases
@@ -142,7 +141,8 @@ def jobs_of(kind, target):
 
 def draw_result(path, sink):
     with Result(path) as result:
-        drawers = RESULT_FIGURES | (CYCLE_FIGURES if result.has_phases else {})
+        drawers = RESULT_FIGURES | (CONTACT_FIGURES if result.has_contact else {})
+        drawers |= CYCLE_FIGURES if result.has_phases else {}
         drawers |= PATH_FIGURES if result.has_path else {}
         drawers |= ROLLING_FIGURES if result.rolls else {}
         for name, drawer in drawers.items():
@@ -151,7 +151,8 @@ def draw_result(path, sink):
 
 def draw_two_results(first, second, sink):
     with Result(first) as one, Result(second) as two:
-        sink.draw(f"{one.name}-{two.name}-pressure", pressure.draw_two, one, two)
+        if one.has_contact and two.has_contact:
+            sink.draw(f"{one.name}-{two.name}-pressure", pressure.draw_two, one, two)
 
 
 def draw_study(folder, sink):
