@@ -125,7 +125,7 @@ void compare_command(const std::vector<std::filesystem::path>& results,
   for (const auto& file : results) add_row(table, file, chosen_result);
   fmt::print(
       "{}\nshape error: Euclidean norm of the differences of worn contact-node positions to the\n"
-      "reference, {}, in the last stored state;\n"
+      "reference, {}, in the last stored state (docs/studies.md);\n"
       "pressure error: largest difference of a nodal contact pressure\n",
       table.text(), chosen.string());
   std::vector<std::filesystem::path> files = {chosen};

@@ -242,8 +242,8 @@ std::vector<std::string> remarks_on_tracks(const Magnitudes& expected,
         fmt::format("\"{}\" wears by the mean along its track of {:g} mm: its mesh is {:.3g} mm of "
                     "it, and contact covers about {:.2g} %{}",
                     surface.name, path, length, 100 * std::min(1.0, contact / path),
-                    ends ? ", up to the ends of that mesh or beyond: shapes and pressures are "
-                           "wrong then, and a longer mesh is needed"
+                    ends ? ", perhaps up to the ends of that mesh or beyond: shapes and pressures "
+                           "are wrong then, and a longer mesh is needed"
                          : ""));
   }
   return remarks;
