@@ -11,6 +11,7 @@
 
 #include "linear/contact_compliance.hpp"
 #include "linear/core_solver.hpp"
+#include "linear/dense_products.hpp"
 #include "linear/path_blocks.hpp"
 #include "linear/stiffness_block.hpp"
 
@@ -125,10 +126,10 @@ private:
       Eigen::MatrixXd right = of.y_by_g;
       if (p > 0) {
         phase.F = of.y_by_y_before - of.y_by_before * phases_[p - 1].moved;
-        right -= phase.F * phases_[p - 1].Z;
+        subtract_product(phase.F, phases_[p - 1].Z, right);
       }
-      phase.Z = phase.A.solve(right);
-      rest -= phase.H * phase.Z;
+      phase.Z = gnomon::solve(phase.A, right);
+      subtract_product(phase.H, phase.Z, rest);
     }
     if (rest.size() > 0) rest_.compute(rest);
   }
