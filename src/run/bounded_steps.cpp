@@ -40,7 +40,7 @@ BoundedStep BoundedSteps::advance(double stop, const std::function<bool()>& inte
   if (!stepper_) begin();
   BoundedStep step{.before = state(), .report = {}, .observed = {}, .limit = {}};
   remember();
-  if (state().t >= early_end_) early_end_ = never, early_step_ = 0;
+  if (state().t >= early_end_) early_end_ = never;
   try {
     const Interruptible here(interrupted);
     step.report = stepper_->advance(state(), std::min(stop, early_end_));

@@ -88,7 +88,7 @@ private:
 
   static constexpr double never = std::numeric_limits<double>::infinity();
   double early_end_ = never;  ///< of steps that go to time.until
-  double early_step_ = 0;     ///< the largest of them
+  double early_step_ = 0;     ///< the largest of them: the value lies within it
 };
 
 }  // namespace gnomon
