@@ -78,7 +78,7 @@ void require_no_chattering(long chattering_nodes, const Integrator& integrator) 
   if (chattering_nodes > 0)
     throw SolutionError(
         fmt::format("{} contact nodes left contact twice or more: steps exceed the critical one of "
-                    "{} (gnomon stability)",
+                    "{}, or nearly so (gnomon stability)",
                     chattering_nodes, integrator.name));
 }
 
