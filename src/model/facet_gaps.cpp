@@ -63,6 +63,19 @@ FacetGaps facet_gaps(const std::vector<typename Mesh<dim>::Facet>& slave,
   return gaps;
 }
 
+template <int dim>
+double deepest_overlap(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x,
+                       Section section, double most) {
+  const FacetGaps gaps = facet_gaps<dim>(pair.slave, pair.master, x, section, {-most, 0});
+  double least = 0;
+  for (const double gap : gaps[0]) least = std::min(least, gap);
+  return -least;
+}
+
+template double deepest_overlap(const MortarPair<2>&, const std::vector<Vector<2>>&, Section,
+                                double);
+template double deepest_overlap(const MortarPair<3>&, const std::vector<Vector<3>>&, Section,
+                                double);
 template FacetGaps facet_gaps<2>(const std::vector<Mesh<2>::Facet>&,
                                  const std::vector<Mesh<2>::Facet>&, const std::vector<Vector<2>>&,
                                  Section, const std::array<double, 2>&, Cover*);

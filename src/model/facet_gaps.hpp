@@ -26,4 +26,9 @@ FacetGaps facet_gaps(const std::vector<typename Mesh<dim>::Facet>& slave,
                      const std::vector<Vector<dim>>& x, Section section,
                      const std::array<double, 2>& range, Cover* cover = nullptr);
 
+/// How deep facets of the slave lie in those of the master, by `most` or less [length].
+template <int dim>
+double deepest_overlap(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x,
+                       Section section, double most);
+
 }  // namespace gnomon

@@ -4,6 +4,7 @@
 #include <gnomon/model/magnitudes.hpp>
 
 #include "model/bring_together.hpp"
+#include "model/facet_gaps.hpp"
 #include "model/rigid_parts.hpp"
 
 namespace gnomon {
@@ -112,6 +113,7 @@ double force_of_springs(const AssemblyParts<dim>& parts) {
 /// How far the bodies are brought into each other where no force presses them.
 template <int dim>
 double given_overlap(const AssemblyParts<dim>& parts) {
+  constexpr double above = 1.001;  // for rounding
   double most = 0;
   const auto take = [&](const LoadHistory& history, double value) {
     most = std::max(most, std::abs(value) * history.largest());
@@ -128,8 +130,13 @@ double given_overlap(const AssemblyParts<dim>& parts) {
   }
   for (const Phase<dim>& phase : parts.instants()) {
     const auto x = in_space(parts.pairs, phase.places, parts.mesh.nodes);
-    for (const MortarPair<dim>& pair : parts.pairs)
-      most = std::max(most, -travel_to_touch<dim>(pair, pair.approach, x));
+    for (const MortarPair<dim>& pair : parts.pairs) {
+      // Along the approach a shaft lies deeper in its hub, at the sides, than along the normals.
+      const double along = -travel_to_touch<dim>(pair, pair.approach, x);
+      if (!(along > most)) continue;
+      const double across = deepest_overlap(pair, x, parts.section(), above * along);
+      most = std::max(most, across > 0 ? across : along);
+    }
   }
   return most;
 }

@@ -62,16 +62,6 @@ double gap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
   return std::isfinite(travel) ? std::max(0.0, travel) : 0;
 }
 
-/// How deep facets lie in those of the other side [length].
-template <int dim>
-double deepest_overlap(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x,
-                       Section section) {
-  const FacetGaps gaps = facet_gaps<dim>(pair.slave, pair.master, x, section, {-pair.reach, 0});
-  double least = 0;
-  for (const double gap : gaps[0]) least = std::min(least, gap);
-  return -least;
-}
-
 /// Whether its bodies stay where they are meshed until something presses them.
 template <int dim>
 bool stays(const MortarPair<dim>& pair, const Touching<dim>& touching) {
@@ -248,7 +238,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
                      [&](const auto& facet) { return own[k].contains(sorted(facet)); });
     pair.reach = 2 * (pair.reach + mean_size<dim>(pair.slave, nearest[k]));
     if (stays(pair, Touching<dim>(parts, instants[whens[k]])))
-      pair.interference = deepest_overlap(pair, meshed[k], parts.section());
+      pair.interference = deepest_overlap(pair, meshed[k], parts.section(), pair.reach);
   }
   tell_slaves_apart(scene, parts.pairs, reasons);
   for (std::size_t k = 0; k < reasons.size(); ++k)

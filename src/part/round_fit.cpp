@@ -40,7 +40,8 @@ std::string remark_on_round_fit(const ImportedBody<dim>& part, const MortarPair<
   if (!(overlap > 0)) return "";
   const double by_facets = -mean_outside(part, pair.slave) - mean_outside(part, pair.master),
                round = overlap - by_facets;
-  const bool is_tight = round > seen * expected;
+  const bool is_tight =
+      round > seen * expected || (pair.interference > 0 && round > seen * pair.interference);
   if (std::abs(by_facets) <= seen * (is_tight ? round : expected)) return "";
   const std::string effect =
       by_facets > all * overlap
