@@ -125,7 +125,11 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
       const double travel = travel_along(in_space);
       if (!std::isfinite(travel)) continue;
       // As a shaft that was pressed into a hub: away from one side it is deeper in the other.
-      if (travel < 0 && travel_along(-in_space) < 0) continue;
+      if (travel < 0 && travel_along(-in_space) < 0) {
+        pressed.emplace(numbers[side], Vector<dim>::Zero());  // others may come to it
+        moved = true;
+        continue;
+      }
       // Farther than what it rests on: both would go the same way without pressing on each other.
       const auto rest = pressed.find(numbers[1 - side]);
       const double far =
