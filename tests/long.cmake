@@ -8,7 +8,7 @@ set(long_part Cycles.BothSolversAgree Cycles.CountTheSlidingDistance* Cycles.Dif
     GradedMesh.IsScaledWhere* PassingBall.* PhaseErrors.* SettledPressures.AreReachedBy*
     WornLimits.BlockOnRingOfTriangles Condensation.HasTheSolution*)
 set(long_pair PairCandidates.WhatSinks* PairBalance.AShoeInSpace* SprungCam.SpringsAlone*
-    PairPlaces.ARockerRestsWherever*)
+    PairPlaces.ARockerRestsWherever* PushedOut.AHubOnWeak*)
 set(long_pin ConservativeNormal.WearsAsDeep* Pin.WearFluxIsThat*)
 set(long_problems *EveryScene* Scenes.BlocksAddUp*)
 set(long_stick Fretting.PhasesAreChosenByTheirError PairFretting.ExplicitMethods* PairFretting.JacobianEquals*

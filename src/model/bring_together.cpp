@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "mesh/crossing.hpp"
 #include "mesh/facet_bins.hpp"
 #include "model/connected_parts.hpp"
+#include "model/facet_gaps.hpp"
 
 namespace gnomon {
 
@@ -95,6 +97,7 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
   std::vector<Vector<dim>> x = in_space(parts.pairs, places, parts.mesh.nodes);
   for (bool moved = true; moved;) {
     moved = false;
+    std::optional<int> wedged;
     for (const MortarPair<dim>& pair : parts.pairs) {
       const PairPlaces<dim> place(pair, places);
       const std::array<int, 2> numbers = {part[pair.slave.front()[0]],
@@ -112,22 +115,25 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
       const std::size_t side = stays(0);
       along[side].normalize();
       const Vector<dim> in_space = place.of[side].turn * along[side];
-      const auto travel_along = [&](const Vector<dim>& way) {  // by all pairs of the two
+      const auto travel_along = [&](const Vector<dim>& way, Cover* cover = nullptr) {
         double least = infinity;
         for (const MortarPair<dim>& other : parts.pairs) {
           const int slave = part[other.slave.front()[0]], master = part[other.master.front()[0]];
           if (std::minmax(slave, master) != std::minmax(numbers[0], numbers[1])) continue;
           const bool is_slave = slave == numbers[side];
-          least = std::min(least, travel_to_touch<dim>(other, is_slave ? -way : way, x));
+          const double own = travel_to_touch<dim>(other, is_slave ? -way : way, x);
+          if (cover && own < 0)
+            facet_gaps<dim>(other.slave, other.master, x, parts.section(), {own, -own}, cover);
+          least = std::min(least, own);
         }
         return least;
       };
       const double travel = travel_along(in_space);
       if (!std::isfinite(travel)) continue;
-      // As a shaft that was pressed into a hub: away from one side it is deeper in the other.
-      if (travel < 0 && travel_along(-in_space) < 0) {
-        pressed.emplace(numbers[side], Vector<dim>::Zero());  // others may come to it
-        moved = true;
+      // As a shaft that was pressed into a hub: away from one side it is deeper in the other, and
+      // not by chords of round surfaces alone.
+      if (Cover cover; travel < 0 && travel_along(-in_space, &cover) < 0 && cover.volume < 0) {
+        wedged = numbers[side];
         continue;
       }
       // Farther than what it rests on: both would go the same way without pressing on each other.
@@ -144,6 +150,8 @@ Touching<dim>::Touching(const AssemblyParts<dim>& parts, const std::vector<BodyP
       }
       moved = true;
     }
+    // What no other body moves stays, and others may come to it.
+    if (!moved && wedged) moved = pressed.emplace(*wedged, Vector<dim>::Zero()).second;
   }
 }
 

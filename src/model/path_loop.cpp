@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gnomon/base/processes.hpp>
 #include <limits>
+#include <set>
 
 #include "mesh/facet_table.hpp"
 #include "model/across_contact.hpp"
@@ -43,7 +44,11 @@ Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
   constexpr double rounding = 1e-9;
   constexpr double none = std::numeric_limits<double>::infinity();
   Vector<dim> low = Vector<dim>::Constant(none), high = -low;  // of what is held along each axis
-  std::array<std::array<bool, dim>, 2> held{};                 // nodes of a slave, and others
+  std::array<std::set<int>, 2> sides;                          // of the pair of the loop
+  if (!assembly.pairs.empty())
+    sides = {nodes_of_facets(assembly.pairs.front().slave),
+             nodes_of_facets(assembly.pairs.front().master)};
+  std::array<std::array<bool, dim>, 2> held{};
   for (const PhaseContact<dim>& phase : phases)
     for (std::size_t c = 0; c < phase.nodes.size(); ++c) {
       const int node = assembly.contact_nodes[c].node;
@@ -51,7 +56,8 @@ Vector<dim> kept_by_symmetry(const Assembly<dim>& assembly,
       if (!phase.nodes[c].active || by.sum() != 1) continue;
       Eigen::Index i = 0;
       by.maxCoeff(&i);
-      held[assembly.carries[c] != 0][static_cast<std::size_t>(i)] = true;
+      for (const std::size_t side : {0, 1})
+        if (sides[side].contains(node)) held[side][static_cast<std::size_t>(i)] = true;
       low[i] = std::min(low[i], assembly.mesh.nodes[node][i]);
       high[i] = std::max(high[i], assembly.mesh.nodes[node][i]);
     }

@@ -11,9 +11,8 @@
 
 namespace gnomon {
 
-/// Tractions beyond the limit of a part of friction along the slip of contact nodes that slide
-/// without, relative to the one in their middle: this begins as stuck, so that bodies that friction
-/// alone holds are held.
+/// A guess of the tractions, by a part of friction: each node slips as without friction, relative
+/// to a node in the middle. That one begins as stuck, since friction alone may hold a body.
 template <int dim>
 NodalField<dim> PathMarch<dim>::slipping(const std::vector<ContactNode<dim>>& nodes,
                                          double part) const {

@@ -31,7 +31,7 @@ void PhaseStart<dim>::lift() {
   values_ = std::move(unloaded);
 }
 
-/// Ends on the way where bodies come to other facets, without which increments fail in vain.
+/// Ends on the way where bodies leave the facets that were found: increments would fail beyond.
 template <int dim>
 RampReport PhaseStart<dim>::ramp() {
   const Assembly<dim>& body = alone_.assembly();

@@ -32,11 +32,16 @@ constexpr double rough_tolerance = 1e-3;
 }  // namespace
 
 template <int dim>
-bool flies_away(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values) {
-  constexpr double far = 10;
-  const double size = Box<dim>::around(equations.assembly().mesh.nodes).diagonal();
-  for (std::size_t p = 0; p < equations.phases().size(); ++p)
-    if (values.vector(equations.fields(p).u).cwiseAbs().maxCoeff() > far * size) return true;
+bool flies_away(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
+                const FieldValues<dim>* from) {
+  const double size = Box<dim>::around(equations.assembly().mesh.nodes).diagonal(),
+               far = from ? 3 * size : 10 * size;
+  for (std::size_t p = 0; p < equations.phases().size(); ++p) {
+    const FieldId u = equations.fields(p).u;
+    NodalField<dim> moved = values.vector(u);
+    if (from) moved -= from->vector(u);
+    if (moved.cwiseAbs().maxCoeff() > far) return true;
+  }
   return false;
 }
 
@@ -75,6 +80,7 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
   std::vector<Approach> approaches;
   bool loaded = options.begin > 0;
   if (!loaded) approaches = close_initial_gaps(equations, contact, values, touching);
+  const FieldValues<dim> from = values;
   const LoadSolve solve = [&](double fraction, std::span<double> y) {
     contact.set_load_fraction(fraction);
     if (!loaded && passed && !pairs) {
@@ -97,7 +103,7 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
       solver.emplace(contact.structure(), counters, newton);
     }
     NewtonReport report = solver->solve(function, y);
-    if (pairs && report.converged && flies_away(equations, contact.values(0, y))) {
+    if (pairs && report.converged && flies_away(equations, contact.values(0, y), &from)) {
       report.converged = false;  // a rough residual of rounding errors
       report.reason = "an iterate has opened the contact that holds a body";
     }
@@ -273,8 +279,8 @@ State WearModel<dim>::at_rest(double t, const FieldValues<dim>& values) const {
   return state;
 }
 
-template bool flies_away(const WornBodyEquations<2>&, const FieldValues<2>&);
-template bool flies_away(const WornBodyEquations<3>&, const FieldValues<3>&);
+template bool flies_away(const WornBodyEquations<2>&, const FieldValues<2>&, const FieldValues<2>*);
+template bool flies_away(const WornBodyEquations<3>&, const FieldValues<3>&, const FieldValues<3>*);
 template RampOptions ramp_options(const Assembly<2>&);
 template RampOptions ramp_options(const Assembly<3>&);
 template RampReport find_equilibrium(const WornBodyEquations<2>&, ComposedSystem<2>&,

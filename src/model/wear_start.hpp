@@ -62,9 +62,11 @@ RampReport find_equilibrium(const WornBodyEquations<dim>& equations, ComposedSys
                             Counters& counters,
                             const std::function<void(std::span<double> y)>& passed = {});
 
-/// Whether a body is far from where the mesh is, as no load moves it that has a partner.
+/// Whether a body is far from where the mesh is, as no load moves it that has a partner; `from`:
+/// from where it touched, which nothing moves it as far from.
 template <int dim>
-bool flies_away(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values);
+bool flies_away(const WornBodyEquations<dim>& equations, const FieldValues<dim>& values,
+                const FieldValues<dim>* from = nullptr);
 
 /// Why there is no equilibrium in a phase, for the user.
 template <int dim>

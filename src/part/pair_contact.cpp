@@ -13,6 +13,7 @@
 #include "mesh/facet_table.hpp"
 #include "model/bring_together.hpp"
 #include "model/rigid_balance.hpp"
+#include "model/rigid_parts.hpp"
 #include "part/boundary_beside.hpp"
 #include "part/carried_bodies.hpp"
 #include "part/changing_friction.hpp"
@@ -62,14 +63,22 @@ double gap_of(const MortarPair<dim>& pair, const std::vector<Vector<dim>>& x) {
   return std::isfinite(travel) ? std::max(0.0, travel) : 0;
 }
 
-/// Whether its bodies stay where they are meshed until something presses them.
+/// How deep bodies that supports or springs hold lie in each other at most: what contact alone
+/// holds would be lost where a load ramp sets it apart [length].
 template <int dim>
-bool stays(const MortarPair<dim>& pair, const Touching<dim>& touching) {
-  const auto still = [&](const auto& facets) {
-    return std::ranges::all_of(nodes_of_facets(facets),
-                               [&](int node) { return touching.direction.row(node).isZero(0); });
-  };
-  return still(pair.slave) && still(pair.master);
+double interference_of(const AssemblyParts<dim>& parts, const MortarPair<dim>& pair,
+                       const std::vector<std::vector<BodyPlace<dim>>>& instants) {
+  double deepest = 0;
+  for (const auto& places : instants)
+    deepest = std::max(deepest,
+                       deepest_overlap<dim>(pair, in_space(parts.pairs, places, parts.mesh.nodes),
+                                            parts.section(), pair.reach));
+  if (deepest == 0) return 0;
+  for (const RigidPart<dim>& body : rigid_parts(parts, parts.mesh.nodes))
+    if (body.loose.cols() > 0 &&
+        (body.has(pair.slave.front()[0]) || body.has(pair.master.front()[0])))
+      return 0;
+  return deepest;
 }
 
 /// A node carries one multiplier: it is a slave in one pair. Tells why where it changes a slave.
@@ -205,7 +214,6 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
   }
   std::vector<std::string> reasons;
   std::vector<std::vector<Vector<dim>>> nearest, meshed;  // by pair; as loads move bodies, or not
-  std::vector<std::size_t> whens;                         // among the instants
   for (MortarPair<dim>& pair : parts.pairs) {
     // Facets of a shaft and its bore have gaps of their own.
     std::vector<double> gaps;
@@ -214,8 +222,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
     const double gap = *least;
     const auto when = static_cast<std::size_t>(least - gaps.begin());
     nearest.push_back(touching[when]);
-    whens.push_back(when);
-    meshed.push_back(in_space(parts.pairs, instants[whens.back()], parts.mesh.nodes));
+    meshed.push_back(in_space(parts.pairs, instants[when], parts.mesh.nodes));
     pair.reach = closed + gap + mean_size<dim>(pair.slave, nearest.back()) / 2;
     keep_facing_at<dim>(touching, parts.section(), pair);
     if (pair.slave.empty())
@@ -237,8 +244,7 @@ void restrict_pairs(const Scene& scene, const ImportedBody<dim>& part, const Mag
     join_beside<dim>(nearest[k], pair,
                      [&](const auto& facet) { return own[k].contains(sorted(facet)); });
     pair.reach = 2 * (pair.reach + mean_size<dim>(pair.slave, nearest[k]));
-    if (stays(pair, Touching<dim>(parts, instants[whens[k]])))
-      pair.interference = deepest_overlap(pair, meshed[k], parts.section(), pair.reach);
+    pair.interference = interference_of(parts, pair, instants);
   }
   tell_slaves_apart(scene, parts.pairs, reasons);
   for (std::size_t k = 0; k < reasons.size(); ++k)

@@ -108,7 +108,8 @@ private:
     if (store_.checkpoint_is_due()) checkpoint();
   }
 
-  /// Without an epoch: a resumed run begins as the one before did.
+  /// Without an epoch: at the start, and where a resumed run goes on, whose model is made as that
+  /// was.
   void replace_overdue() {
     if (!epochs_.replace_overdue(state())) return;
     watch_model();

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "part/part_scene.hpp"
 
 namespace gnomon::round_fit_test {
@@ -67,39 +69,66 @@ protected:
 
 const auto warning = Contains(HasSubstr("facets of different length are chords"));
 
+/// Whole rings of so many facets a quarter; the shaft of 5 mm to a radius in a hub of 10 to 20 mm.
+std::string whole_rings(double radius, int shaft, int hub) {
+  return fmt::format(R"(
+Macro Ring
+ Point(b) = {{0, 0, 0}};
+ For k In {{0:3}}
+  c = Cos(k * Pi / 2 + 0.1 * b); s = Sin(k * Pi / 2 + 0.1 * b);
+  Point(b+1+k) = {{ri * c, ri * s, 0}}; Point(b+11+k) = {{ro * c, ro * s, 0}};
+ EndFor
+ For k In {{0:3}}
+  j = (k + 1) % 4;
+  Circle(b+1+k) = {{b+1+k, b, b+1+j}}; Circle(b+11+k) = {{b+11+k, b, b+11+j}};
+  Line(b+21+k) = {{b+1+k, b+11+k}};
+ EndFor
+ For k In {{0:3}}
+  Curve Loop(b+1+k) = {{b+1+k, b+21+(k+1)%4, -(b+11+k), -(b+21+k)}}; Plane Surface(b+1+k) = {{b+1+k}};
+ EndFor
+ Transfinite Curve {{b+1:b+4, b+11:b+14}} = n + 1; Transfinite Curve {{b+21:b+24}} = 4;
+ Transfinite Surface {{b+1:b+4}}; Recombine Surface {{b+1:b+4}};
+Return
+b = 100; ri = 5; ro = {}; n = {}; Call Ring;
+b = 200; ri = 10; ro = 20; n = {}; Call Ring;
+Physical Surface("shaft") = {{101:104}}; Physical Surface("hub") = {{201:204}};
+Physical Curve("seat") = {{111:114}}; Physical Curve("bore") = {{201:204}};
+Physical Curve("core") = {{101:104}}; Physical Curve("rim") = {{211:214}};
+)",
+                     radius, shaft, hub);
+}
+
+/// Without its supports.
+std::string loose_scene() {
+  const std::string text = scene;
+  return text.substr(0, text.find("[[support]]"));
+}
+
 /// A whole ring overlaps along its approach by far more than along its normals.
 TEST_F(RoundFit, OfAWholeRingIsTold) {
-  const auto ring = [](int number, double from, double to, int facets) {
-    return fmt::format(R"(
-b = {0}; Point(b) = {{0, 0, 0}};
-For k In {{0:3}}
-  c = Cos(k * Pi / 2 + 0.1 * b); s = Sin(k * Pi / 2 + 0.1 * b);
-  Point(b+1+k) = {{{1} * c, {1} * s, 0}}; Point(b+11+k) = {{{2} * c, {2} * s, 0}};
-EndFor
-For k In {{0:3}}
-  Circle(b+1+k) = {{b+1+k, b, b+1+(k+1)%4}}; Circle(b+11+k) = {{b+11+k, b, b+11+(k+1)%4}};
-  Line(b+21+k) = {{b+1+k, b+11+k}};
-EndFor
-For k In {{0:3}}
-  Curve Loop(b+1+k) = {{b+1+k, b+21+(k+1)%4, -(b+11+k), -(b+21+k)}}; Plane Surface(b+1+k) = {{b+1+k}};
-EndFor
-Transfinite Curve {{b+1:b+4, b+11:b+14}} = {3} + 1; Transfinite Curve {{b+21:b+24}} = 4;
-Transfinite Surface {{b+1:b+4}}; Recombine Surface {{b+1:b+4}};
-)",
-                       number, from, to, facets);
-  };
-  folder_.write("rings.geo", ring(100, 5, 10.01, 10) + ring(200, 10, 20, 7) + R"(
-Physical Surface("shaft") = {101:104}; Physical Surface("hub") = {201:204};
-Physical Curve("seat") = {111:114}; Physical Curve("bore") = {201:204};
-Physical Curve("core") = {101:104}; Physical Curve("rim") = {211:214};
-)");
-  std::string text = scene;
-  text.erase(text.find("[[support]]"));
-  for (const std::string held : {"", ", stiffness = 1.0"})
-    EXPECT_THAT(
-        model(text + "support = [ { on = \"core\"" + held + " }, { on = \"rim\" } ]\n")->remarks,
-        Contains(HasSubstr("about 3.1 times")))
+  folder_.write("rings.geo", whole_rings(10.01, 10, 7));
+  for (const std::string held : {"", ", stiffness = 1.0"}) {
+    const std::string supports = "support = [ { on = \"core\"" + held + " }, { on = \"rim\" } ]\n";
+    EXPECT_THAT(model(loose_scene() + supports)->remarks, Contains(HasSubstr("about 3.1 times")))
         << held;
+  }
+}
+
+/// Nodes of a shaft that fills its bore lie between the chords of it, on all sides: this is no fit
+/// that holds it, and a load presses it on one side.
+TEST_F(RoundFit, AShaftWithoutClearanceIsPressedByItsLoad) {
+  folder_.write("rings.geo", whole_rings(10, 15, 12));
+  for (const double force : {5.0, 2e4}) {
+    SCOPED_TRACE(force);
+    const auto model = this->model(
+        loose_scene() +
+        fmt::format("support = [ {{ on = \"rim\" }}, {{ on = \"core\", directions = [\"x\"] }} ]\n"
+                    "load = [ {{ on = \"core\", force = [0.0, {}] }} ]\n",
+                    -force));
+    Counters counters;
+    const State start = model->start(counters);
+    EXPECT_NEAR(std::abs(model->examine(start).pairs.front().force[1]) / force, 1, 1e-6);
+  }
 }
 
 // Chords of 7 and 10 facets lie by two thirds of their sagittas, 0.0629 and 0.0308 mm, off the

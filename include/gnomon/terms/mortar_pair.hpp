@@ -26,8 +26,8 @@ struct MortarPair {
   double friction = 0;
   double slides = 1;  ///< its sliding distance, by that of all (nominal_speed())
   double reach = 0;   ///< facets that are farther apart do not meet [length]
-  /// How deep bodies that nothing brings together lie in each other at rest: a load ramp begins
-  /// where they touch [length].
+  /// How deep bodies that supports hold lie in each other at rest: a load ramp begins where they
+  /// touch [length].
   double interference = 0;
   std::array<std::string, 2> bodies{};  ///< names of the slave and of the master
   std::array<int, 2> numbers{};         ///< of them among the bodies
