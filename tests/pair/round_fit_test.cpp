@@ -117,7 +117,7 @@ TEST_F(RoundFit, OfAWholeRingIsTold) {
 /// Nodes of a shaft that fills its bore lie between the chords of it, on all sides: this is no fit
 /// that holds it, and a load presses it on one side.
 TEST_F(RoundFit, AShaftWithoutClearanceIsPressedByItsLoad) {
-  folder_.write("rings.geo", whole_rings(10, 15, 12));
+  folder_.write("rings.geo", whole_rings(10, 12, 15));
   for (const double force : {5.0, 2e4}) {
     SCOPED_TRACE(force);
     const auto model = this->model(
@@ -129,6 +129,31 @@ TEST_F(RoundFit, AShaftWithoutClearanceIsPressedByItsLoad) {
     const State start = model->start(counters);
     EXPECT_NEAR(std::abs(model->examine(start).pairs.front().force[1]) / force, 1, 1e-6);
   }
+}
+
+/// A journal is pressed into a bush that the hub holds by their interference; the springs are weak.
+TEST_F(RoundFit, AJournalComesToABushThatFits) {
+  folder_.write("rings.geo", whole_rings(10.01, 10, 10) + R"(
+b = 300; ri = 2; ro = 4.95; n = 10; Call Ring;
+Physical Surface("journal") = {301:304}; Physical Curve("pin") = {311:314};
+Physical Curve("axle") = {301:304};
+)");
+  const auto model = this->model(R"(problem = "worn_body"
+mesh.file = "rings.geo"
+body = [ { name = "journal", young_modulus = 210e3, poisson_ratio = 0.3, material = "linear" },
+         { name = "shaft", young_modulus = 3e3, poisson_ratio = 0.4, material = "linear" },
+         { name = "hub", young_modulus = 210e3, poisson_ratio = 0.3, material = "linear" } ]
+pair = [ { bodies = ["journal", "shaft"] }, { bodies = ["shaft", "hub"] } ]
+support = [ { on = "rim" }, { on = "axle", directions = ["x"] },
+            { on = "axle", directions = ["y"], stiffness = 0.01 },
+            { on = "core", stiffness = 1e-3 } ]
+load = [ { on = "axle", force = [0.0, -100.0] } ]
+wear = { on = ["core"], coefficient = 0.0 }
+time.end = 1.0
+)");
+  Counters counters;
+  const Examination facts = model->examine(model->start(counters));
+  for (const auto& pair : facts.pairs) EXPECT_NEAR(std::abs(pair.force[1]) / 100, 1, 0.02);
 }
 
 // Chords of 7 and 10 facets lie by two thirds of their sagittas, 0.0629 and 0.0308 mm, off the
