@@ -21,11 +21,13 @@ template <int dim>
 CycleOfSlip cycle_of_slip(const Assembly<dim>& assembly,
                           const std::vector<PhaseContact<dim>>& phases);
 
-/// The axis about which the counter-body turns over a path; none of pairs, or where it does not.
+/// The axis about which the partner turns over a path: the counter-body, or in space one body of
+/// the first pair alone, about the approach.
 template <int dim>
 struct AxisOfPath {
   Tensor<dim> spin;    ///< of the rate one
-  Vector<dim> centre;  ///< in the coordinates of the shape [length]
+  Vector<dim> centre;  ///< in the coordinates of the shape, or of the body that turns [length]
+  int side = -1;       ///< of a pair: which of its bodies turns, slave or master
 };
 template <int dim>
 std::optional<AxisOfPath<dim>> axis_of_path(const Assembly<dim>& assembly);
@@ -34,9 +36,8 @@ std::optional<AxisOfPath<dim>> axis_of_path(const Assembly<dim>& assembly);
 template <int dim>
 bool is_rubbed(const Assembly<dim>& assembly, const std::vector<PlaceAndForce<dim>>& loop);
 
-/// Appends friction_work, slip_path, stick_area, stroke and friction_force, and where the
-/// counter-body turns twist and friction_moment. `units`: the dimension
-/// that they have.
+/// Appends friction_work, slip_path, stick_area, stroke and friction_force, and where the partner
+/// turns twist and friction_moment. `units`: the dimension that they have.
 template <int dim>
 void observe_path(const Assembly<dim>& assembly, const std::vector<PhaseContact<dim>>& phases,
                   const std::vector<PlaceAndForce<dim>>& loop, int units, Observation& observed);

@@ -26,13 +26,47 @@ std::vector<char> in_loop(const Assembly<dim>& assembly) {
 }
 
 /// How far the partner has moved where it touches; the master of the first pair in the frame of the
-/// slave, where they slide.
+/// slave, where they slide, or where its axis is.
 template <int dim>
-Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase) {
+Vector<dim> place_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase,
+                          const std::optional<AxisOfPath<dim>>& axis) {
   CyclicMotion<dim> motion = assembly.cycle->motion;
+  if (assembly.pairs.empty()) return carried_by(motion, assembly.interface.partner, phase);
   // The slave may be the second in the scene.
-  if (!assembly.pairs.empty()) motion.sliding = assembly.pairs.front().numbers;
-  return carried_by(motion, assembly.interface.partner, phase);
+  motion.sliding = assembly.pairs.front().numbers;
+  return carried_by(motion, assembly.interface.partner, phase, axis ? axis->centre : motion.point);
+}
+
+/// By how much the partner has turned about its axis, from where the cycle has no rotation [rad].
+template <int dim>
+double angle_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase,
+                     const PartnerMotion<>& q, const AxisOfPath<dim>& axis) {
+  const CyclicMotion<dim>& motion = assembly.cycle->motion;
+  if (axis.side >= 0) {
+    const auto body = static_cast<std::size_t>(
+        assembly.pairs.front().numbers[static_cast<std::size_t>(axis.side)]);
+    const double angle = motion.bodies[body].cycle.rotation->value(phase.position);
+    return axis.side == 0 ? -angle : angle;
+  }
+  double angle = motion.cycle.rotation ? motion.cycle.rotation->value(phase.position) : 0;
+  for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
+    if (phase.counter_body.guides[k].turns()) angle = q[static_cast<Eigen::Index>(k)];
+  return angle;
+}
+
+/// Of the force on the partner, about its axis. `x`: the place of the node, of a pair in the frame
+/// of the slave, as `force` on it.
+template <int dim>
+double moment_in_loop(const Assembly<dim>& assembly, const Phase<dim>& phase,
+                      const PartnerMotion<>& q, const AxisOfPath<dim>& axis, const Vector<dim>& x,
+                      const Vector<dim>& force) {
+  if (axis.side < 0) return -force.dot(axis.spin * (phase.counter_body.seen(x, q) - axis.centre));
+  const auto place = [&](int side) {
+    return phase.places[static_cast<std::size_t>(
+        assembly.pairs.front().numbers[static_cast<std::size_t>(side)])];
+  };
+  const Vector<dim> arm = place(0).of(x) - place(axis.side).of(axis.centre);
+  return -(place(0).turn * force).dot(axis.spin * arm);
 }
 
 /// Keeps what is not across planes of symmetry, which cut the contact where supports hold nodes
@@ -94,7 +128,8 @@ void WearModel<dim>::follow_loads(const FieldValues<dim>& values, double t,
                                                        : assembly().pairs.front().approach;
   const auto stays = [&](const PlaceAndForce<dim>& at) {
     const Vector<dim> moved = at.place - loop.front().place;
-    return (moved - normal * normal.dot(moved)).norm() <= rounding * assembly().scales.displacement;
+    return at.angle == loop.front().angle &&
+           (moved - normal * normal.dot(moved)).norm() <= rounding * assembly().scales.displacement;
   };
   if (assembly().swinging_loads.empty() || !std::ranges::all_of(loop, stays)) return;
   const std::vector<int> parts = connected_parts(assembly().mesh);
@@ -124,9 +159,33 @@ void WearModel<dim>::follow_loads(const FieldValues<dim>& values, double t,
   for (PlaceAndForce<dim>& at : loop) at.place /= whole;
 }
 
+namespace {
+
+/// About an axis along the surface, as in the plane, the place of the contact moves.
+template <int dim>
+std::optional<AxisOfPath<dim>> axis_of_pair(const Assembly<dim>& assembly) {
+  constexpr double along = 0.7;  // half a right angle
+  std::optional<AxisOfPath<dim>> result;
+  if constexpr (dim == 3)
+    for (const int side : {0, 1}) {
+      const MortarPair<dim>& pair = assembly.pairs.front();
+      const BodyCycle<dim>& body =
+          assembly.cycle->motion
+              .bodies[static_cast<std::size_t>(pair.numbers[static_cast<std::size_t>(side)])];
+      if (!body.cycle.rotation) continue;
+      const Tensor<dim>& spin = body.axis.spin;
+      const Vector<dim> axis(spin(2, 1), spin(0, 2), spin(1, 0));
+      if (result || std::abs(axis.dot(pair.approach)) < along) return {};
+      result = AxisOfPath<dim>{spin, body.axis.centre, side};
+    }
+  return result;
+}
+
+}  // namespace
+
 template <int dim>
 std::optional<AxisOfPath<dim>> axis_of_path(const Assembly<dim>& assembly) {
-  if (!assembly.pairs.empty()) return {};
+  if (!assembly.pairs.empty()) return axis_of_pair(assembly);
   const CounterBody<dim>& partner = assembly.interface.partner;
   for (const Guide<dim>& guide : partner.guides)
     if (guide.turns()) return AxisOfPath<dim>{guide.turn, guide.centre};
@@ -147,7 +206,7 @@ std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const Phase<dim>& phase = equations_.phases()[p];
     PlaceAndForce<dim>& point = result.emplace_back();
-    point.place = place_in_loop(assembly(), phase);
+    point.place = place_in_loop(assembly(), phase, axis);
     for (std::size_t c = 0; c < counts.size(); ++c)
       if (counts[c]) point.contact -= assembly().copies * phases[p].nodes[c].force;
     for (int i = 0; i < dim; ++i) point.contact[i] = kept[i] * sum_over_processes(point.contact[i]);
@@ -157,16 +216,14 @@ std::vector<PlaceAndForce<dim>> WearModel<dim>::loop(
     for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
       point.place += q[static_cast<Eigen::Index>(k)] * phase.counter_body.guides[k].along;
     if (!axis) continue;
-    if (const auto& rotation = assembly().cycle->motion.cycle.rotation)
-      point.angle = rotation->value(phase.position);
-    for (std::size_t k = 0; k < phase.counter_body.guides.size(); ++k)
-      if (phase.counter_body.guides[k].turns()) point.angle = q[static_cast<Eigen::Index>(k)];
+    point.angle = angle_in_loop(assembly(), phase, q, *axis);
     for (std::size_t c = 0; c < counts.size(); ++c) {
+      if (!counts[c]) continue;
       const ContactPatch<dim>& patch = assembly().contact_nodes[c];
       const Vector<dim> x = patch.initial_position + shape.row(patch.node).transpose() +
-                            values.vector(equations_.fields(p).u).row(patch.node).transpose(),
-                        arm = phase.counter_body.seen(x, q) - axis->centre;
-      point.moment -= assembly().copies * phases[p].nodes[c].force.dot(axis->spin * arm);
+                            values.vector(equations_.fields(p).u).row(patch.node).transpose();
+      point.moment += assembly().copies *
+                      moment_in_loop(assembly(), phase, q, *axis, x, phases[p].nodes[c].force);
     }
     point.moment = sum_over_processes(point.moment);
   }
