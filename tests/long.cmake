@@ -14,10 +14,14 @@ set(long_problems *EveryScene* Scenes.BlocksAddUp*)
 set(long_stick Fretting.PhasesAreChosenByTheirError PairFretting.ExplicitMethods* PairFretting.JacobianEquals*
     PairFretting.SimilarBodiesWearUntil* Fretting.ExplicitMethodsKeep* Fretting.TheErrorOfThePhases*
     Fretting.TheFirstLoading* PairRolling.FrictionWithoutThePower* PairRolling.TheDepthIsExpected*
-    RollingScenes.FreeRollingOfUnlike* RollingScenes.LargeStrains*)
+    RollingScenes.FreeRollingOfUnlike* RollingScenes.LargeStrains* PairRolling.AForceFinds*
+    PairRolling.UnlikeBodies*)
 set(long_resume Kill.OneStepMethods* Resume.OfACycle* Kill.BdfGoesOn*)
 set(long_budget Budget.OfFewPhases* Budget.OfLargeSteps* Budget.OfTheMeanOverPhases* Plan.ChoosesPhases
     Plan.LeavesAndJudges*)
-set(long_study StudyRuns.OnlyCompleteRuns* StudyRuns.AnotherStudysFolder* BySlurm.RunsThatNeverBegan*
+set(long_study StudyRuns.OnlyCompleteRuns* StudyRuns.AnotherStudysFolder* BySlurm.RunsThatNeverBegan* BySlurm.LostTasks*
+    BySlurm.AKilledExecutor* BySlurm.AFailingQuery*
     StudyRuns.RunsWhoseResultCannot*)
+set(long_extremes Extremes.TheCoarseSubset*)
+set(long_results Crash.KilledAtRandom*)
 set(long_run SettledEnd.IsThatOfAnObservation*)
