@@ -56,12 +56,13 @@ void check_run(const Scene& scene) {
 
 namespace {
 
-/// The scene if it has no mistakes; `load` adds those that it finds.
-Scene without_mistakes(const std::function<Scene(Mistakes&)>& load) {
+/// The scene if it has no mistakes; `load` adds those that it finds. A part may still get its mesh.
+Scene without_mistakes(const std::function<Scene(Mistakes&)>& load, bool may_get_mesh) {
   Mistakes mistakes;
   Scene scene = load(mistakes);
   find_mistakes_of_run(scene, mistakes);
-  if (!mistakes.empty()) find_further_mistakes(scene, mistakes);
+  const bool has_mesh = !may_get_mesh || !scene.knows("mesh.file") || scene.has("mesh.file");
+  if (!mistakes.empty() && has_mesh) find_further_mistakes(scene, mistakes);
   mistakes.require_none();
   return scene;
 }
@@ -71,16 +72,18 @@ Scene without_mistakes(const std::function<Scene(Mistakes&)>& load) {
 Scene checked_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                     const std::string& source) {
   require_scene_file(file);
-  return without_mistakes([&](Mistakes& mistakes) {
-    return load_scene(file, overrides, key_table, &mistakes, source);
-  });
+  return without_mistakes(
+      [&](Mistakes& mistakes) { return load_scene(file, overrides, key_table, &mistakes, source); },
+      false);
 }
 
 Scene checked_scene_of_text(const std::string& text, const std::string& name,
                             const std::vector<std::string>& overrides, const std::string& source) {
-  return without_mistakes([&](Mistakes& mistakes) {
-    return parse_scene(text, name, overrides, key_table, &mistakes, source);
-  });
+  return without_mistakes(
+      [&](Mistakes& mistakes) {
+        return parse_scene(text, name, overrides, key_table, &mistakes, source);
+      },
+      true);
 }
 
 namespace {

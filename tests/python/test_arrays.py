@@ -166,6 +166,12 @@ def test_a_scene_with_a_mesh_of_its_own_is_refused():
         gnomon.assemble(scene({"mesh.file": "block.msh"}), *block())
 
 
+def test_a_mistake_is_told_without_the_mesh_that_follows():
+    with pytest.raises(gnomon.InputError, match="young_modul.*: unknown key") as refused:
+        scene({"body.young_modul": 3})
+    assert "mesh" not in str(refused.value)
+
+
 def test_points_of_a_plane_may_have_a_third_number(tmp_path):
     points, cells, facets = block()
     flat = numpy.column_stack([points, numpy.zeros(len(points))])
