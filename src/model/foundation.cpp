@@ -53,6 +53,7 @@ Foundation<dim>::Foundation(const AssemblyParts<dim>& parts,
         sides_.back().normals[patch.node] = place.of[slave ? 1 : 0].turn * patch.initial_normal;
     }
   facet_size_ = facets > 0 ? sum / facets : 0;
+  if (facets > 0) margin_ = std::min(margin_, facet_size_);
   for (const Load<dim>& load : parts.loads)
     pressed_.push_back(load.forces.size() > 0
                            ? std::vector<ContactPatch<dim>>()
@@ -142,17 +143,37 @@ void Foundation<dim>::find_near(const std::vector<Pose<dim>>& poses) {
   found_at_ = poses;
 }
 
+/// Opposite has no weight where a share is below -1/2: outside of a simplex that is 5/2 as large.
+/// Its middle is within a third of the radius of the facet's, its corners within four thirds.
+template <int dim>
+void Foundation<dim>::find_middles(Side& side) const {
+  constexpr double times = 1.0 / 3 + 5.0 / 2 * 4 / 3;
+  side.middles.clear();
+  side.reaches.clear();
+  for (const auto& facet : side.targets) {
+    Vector<dim> middle = Vector<dim>::Zero();
+    for (const int node : facet) middle += now_[node] / static_cast<double>(facet.size());
+    double radius = 0;
+    for (const int node : facet) radius = std::max(radius, (now_[node] - middle).norm());
+    side.middles.push_back(middle);
+    side.reaches.push_back(times * radius);
+  }
+}
+
 template <int dim>
 typename Foundation<dim>::Opposite Foundation<dim>::opposite(const Side& side, std::size_t p,
                                                              const Vector<dim>& n,
                                                              const Tensor<dim>& rotation) const {
   constexpr double facing = -0.2;  // cosine
   const double deepest = std::min(rigid_[side.part].size, rigid_[side.other].size) / 2;
+  const Vector<dim>& from = now_[side.patches[p].node];
   Opposite best;
   for (const int f : side.near[p]) {
+    const Vector<dim> to = side.middles[f] - from;
+    if ((to - n * n.dot(to)).norm() > side.reaches[f]) continue;
     const auto& facet = side.targets[f];
     for (const auto& simplex : simplices<dim>(facet)) {
-      const Crossing<dim> at(now_[side.patches[p].node], n, simplex, now_);
+      const Crossing<dim> at(from, n, simplex, now_);
       const double weight = 1 - 2 * std::max(0.0, -at.shares.minCoeff());
       if (!(weight > 0) || at.distance < -deepest || weight < best.weight) continue;
       if (weight == best.weight && std::abs(at.distance) >= std::abs(best.distance)) continue;
@@ -193,7 +214,10 @@ void Foundation<dim>::add_contact(const std::vector<Pose<dim>>& poses, const Fou
     now_[node] = poses[part_of_[node]] * x_[node];
   if (has_moved(poses)) find_near(poses);
   deepest_ = 0;
-  for (const Side& side : sides_) add_side(side, poses, law, forces);
+  for (Side& side : sides_) {
+    find_middles(side);
+    add_side(side, poses, law, forces);
+  }
 }
 
 template class Foundation<2>;

@@ -58,7 +58,10 @@ private:
     std::vector<typename Mesh<dim>::Facet> targets;
     std::map<int, Vector<dim>> normals;  ///< of the nodes of these, at first
     std::vector<std::vector<int>> near;  ///< by patch: targets that its normal may meet
-    RigidMotion<dim> motion{};           ///< of the master's material relative to the slave's
+    std::vector<Vector<dim>> middles{};  ///< of the targets
+    std::vector<double>
+        reaches{};              ///< how far from it a line passes a target without weight [length]
+    RigidMotion<dim> motion{};  ///< of the master's material relative to the slave's
     double friction = 0;
     bool slave = true;
   };
@@ -72,6 +75,7 @@ private:
   Opposite opposite(const Side& side, std::size_t p, const Vector<dim>& n,
                     const Tensor<dim>& rotation) const;
   void find_near(const std::vector<Pose<dim>>& poses);
+  void find_middles(Side& side) const;
   bool has_moved(const std::vector<Pose<dim>>& poses) const;
   void add_side(const Side& side, const std::vector<Pose<dim>>& poses, const FoundationLaw& law,
                 std::vector<Twist<dim>>& forces);
