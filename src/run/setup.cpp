@@ -100,7 +100,7 @@ Setup completed(const Scene& scene, std::unique_ptr<Model> model) {
 
 }  // namespace
 
-Setup set_up(Scene scene) {
+Setup set_up(const Scene& scene) {
   if (scene.has("accuracy.within"))
     throw InputError(scene.where("accuracy.within") +
                      ": expected none here, only gnomon run, plan and check choose settings");
@@ -123,7 +123,7 @@ Scene scene_of_result(const ResultReader& result, const std::filesystem::path& f
   return overrides.empty() ? scene : read(overrides);
 }
 
-Setup set_up_again(Scene scene, const std::optional<Grid>& grid, double model_end) {
+Setup set_up_again(const Scene& scene, const std::optional<Grid>& grid, double model_end) {
   Setup setup = completed(
       scene, remake_model(model_end > 0 ? scene.with("time.end", model_end) : scene, grid));
   setup.model_end = model_end;

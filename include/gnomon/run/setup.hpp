@@ -41,10 +41,10 @@ Scene scene_of_result(const ResultReader& result, const std::filesystem::path& f
 
 /// Makes the model of a checked scene, which may take long. Files that the scene names are absolute
 /// paths from there on.
-Setup set_up(Scene scene);
+Setup set_up(const Scene& scene);
 /// The same from the mesh that a result keeps, with the model of this time.end (0: the scene's):
 /// how far contact reaches depends on it.
-Setup set_up_again(Scene scene, const std::optional<Grid>& grid, double model_end = 0);
+Setup set_up_again(const Scene& scene, const std::optional<Grid>& grid, double model_end = 0);
 /// Both.
 Setup set_up(const std::filesystem::path& scene, const std::vector<std::string>& overrides);
 
