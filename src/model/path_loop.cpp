@@ -166,12 +166,13 @@ template <int dim>
 std::optional<AxisOfPath<dim>> axis_of_pair(const Assembly<dim>& assembly) {
   constexpr double along = 0.7;  // half a right angle
   std::optional<AxisOfPath<dim>> result;
+  const std::vector<BodyCycle<dim>>& bodies = assembly.cycle->motion.bodies;
+  if (bodies.empty()) return result;  // phases that no cycle has made
   if constexpr (dim == 3)
     for (const int side : {0, 1}) {
       const MortarPair<dim>& pair = assembly.pairs.front();
-      const BodyCycle<dim>& body =
-          assembly.cycle->motion
-              .bodies[static_cast<std::size_t>(pair.numbers[static_cast<std::size_t>(side)])];
+      const auto number = pair.numbers[static_cast<std::size_t>(side)];
+      const BodyCycle<dim>& body = bodies[static_cast<std::size_t>(number)];
       if (!body.cycle.rotation) continue;
       const Tensor<dim>& spin = body.axis.spin;
       const Vector<dim> axis(spin(2, 1), spin(0, 2), spin(1, 0));

@@ -537,6 +537,14 @@ TEST(PairFrettingInSpace, WhatTurnsTogetherIsAsAtRest) {
   EXPECT_LT(difference_in_a_turned_frame<3>(), 1e-9);
 }
 
+TEST(PairFrettingInSpace, PhasesNeedNoCyclesOfBodies) {
+  constexpr double stroke = 0.02;
+  const TwoBodies pair = bodies_to_turn<3>();
+  const WearModel<3> model(on_a_path<3>(pair, stroke, 1));
+  Counters counters;
+  EXPECT_NEAR(observed(model, model.start(counters), "stroke"), stroke, 1e-12);
+}
+
 /// The same bodies in steady rolling.
 template <int dim>
 AssemblyParts<dim> rolling(const TwoBodies& pair, std::optional<double> moment = {}) {
