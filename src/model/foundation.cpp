@@ -36,7 +36,11 @@ Foundation<dim>::Foundation(const AssemblyParts<dim>& parts,
       const PairPlaces<dim> place(pair, places);
       const std::size_t part = part_of_[own.front()[0]];
       touches_[part] = 1;
-      for (const auto& facet : own) sum += (x_[facet[1]] - x_[facet[0]]).norm();
+      for (const auto& facet : own) {
+        sum += (x_[facet[1]] - x_[facet[0]]).norm();
+        for (const int node : facet)
+          largest_facet_ = std::max(largest_facet_, (x_[node] - x_[facet[0]]).norm());
+      }
       facets += static_cast<double>(own.size());
       sides_.push_back({.part = part,
                         .other = part_of_[other.front()[0]],
@@ -132,7 +136,7 @@ bool Foundation<dim>::has_moved(const std::vector<Pose<dim>>& poses) const {
 template <int dim>
 void Foundation<dim>::find_near(const std::vector<Pose<dim>>& poses) {
   constexpr double reach = std::numeric_limits<double>::infinity();
-  const double around = 4 * margin_ + facet_size_;
+  const double around = 4 * margin_ + largest_facet_;
   for (Side& side : sides_) {
     const FacetBins<dim> bins(side.targets, now_);
     side.near.clear();

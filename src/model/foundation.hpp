@@ -93,7 +93,7 @@ private:
   std::vector<std::vector<ContactPatch<dim>>> pressed_;  // by load: patches of its pressure
   std::vector<std::vector<ContactPatch<dim>>> sprung_;   // by springs; empty: they hold
   std::vector<Pose<dim>> found_at_;
-  double margin_ = 0, deepest_ = 0, facet_size_ = 0, largest_load_ = 0;
+  double margin_ = 0, deepest_ = 0, facet_size_ = 0, largest_facet_ = 0, largest_load_ = 0;
 };
 
 }  // namespace gnomon
